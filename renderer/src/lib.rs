@@ -1,0 +1,16 @@
+//! A dispersive ray tracer of gemstones: scenes in, spectral films and pictures out.
+
+pub mod camera;
+pub mod cuts;
+pub mod error;
+pub mod light;
+pub mod material;
+pub mod mesh;
+pub mod scene;
+pub mod scene_file;
+pub mod session;
+pub mod settings;
+pub mod solid;
+pub mod spectrum;
+pub mod statistics;
+pub mod still;

@@ -1,0 +1,34 @@
+//! What an object is made of.
+
+mod dispersion;
+
+pub use dispersion::{Dispersion, SellmeierTerm};
+
+use crate::spectrum::Spectrum;
+
+/// The optical behaviour of an object's surface and interior.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Material {
+    /// A clear solid with smooth surfaces: refracts, reflects, may absorb.
+    Dielectric(Dielectric),
+    /// A matte opaque surface.
+    Diffuse(Diffuse),
+}
+
+/// A clear solid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Dielectric {
+    /// Name of the material, for the user.
+    pub name: String,
+    /// Index of refraction over wavelength.
+    pub dispersion: Dispersion,
+    /// Absorption coefficient α per millimetre (Beer–Lambert: transmittance e^(−α·d)).
+    pub absorption_per_mm: Option<Spectrum>,
+}
+
+/// A Lambertian surface.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Diffuse {
+    /// Reflectance in 0..=1.
+    pub reflectance: Spectrum,
+}

@@ -1,0 +1,118 @@
+//! The two kinds of settings. Changing [`TraceSettings`] restarts the film; changing
+//! [`DisplaySettings`] only develops it again.
+
+use std::ops::RangeInclusive;
+
+use serde::{Deserialize, Serialize};
+
+/// How a dispersed ray is divided over the spectrum.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Splitting {
+    /// Thomas 1986, to the letter: equal wavelength steps, prorated light overlap.
+    #[default]
+    Paper,
+}
+
+/// Everything that decides what the film records, beside the scene and the camera.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TraceSettings {
+    /// How dispersed rays are divided.
+    pub splitting: Splitting,
+    /// K: sub-rays that should hit the smallest light (Thomas 1986 found six).
+    pub split_count: f32,
+    /// Rays whose weight falls below this are ended and their energy counted as pruned.
+    pub significance_threshold: f32,
+    /// Interfaces a ray may meet before it is cut off.
+    pub max_depth: u32,
+    /// Spreads the incident interval over the sub-rays (`perturb`); off shows the clumping of Fig. 3.
+    pub perturb: bool,
+    /// Number of spectral bins of the film over 380–730 nm.
+    pub bins: u32,
+}
+
+impl TraceSettings {
+    /// Allowed [`split_count`](Self::split_count).
+    pub const SPLIT_COUNT: RangeInclusive<f32> = 0.0..=24.0;
+    /// Allowed [`significance_threshold`](Self::significance_threshold).
+    pub const SIGNIFICANCE_THRESHOLD: RangeInclusive<f32> = 1e-6..=0.5;
+    /// Allowed [`max_depth`](Self::max_depth).
+    pub const MAX_DEPTH: RangeInclusive<u32> = 1..=64;
+    /// Allowed [`bins`](Self::bins).
+    pub const BINS: RangeInclusive<u32> = 4..=64;
+}
+
+impl Default for TraceSettings {
+    fn default() -> Self {
+        Self {
+            splitting: Splitting::Paper,
+            split_count: 6.0,
+            significance_threshold: 1e-3,
+            max_depth: 32,
+            perturb: true,
+            bins: 16,
+        }
+    }
+}
+
+/// How luminance above the display's white is brought into range.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ToneCurve {
+    /// Proportional up to white, clipped above it.
+    Linear,
+    /// Reinhard 2002 with a white level: gentle shoulder.
+    Reinhard,
+    /// A film-like toe and shoulder.
+    #[default]
+    Filmic,
+}
+
+/// The light that is shown as neutral.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum WhitePoint {
+    /// The equal-energy spectrum.
+    EqualEnergy,
+    /// CIE standard illuminant D65.
+    #[default]
+    D65,
+    /// CIE standard illuminant D50.
+    D50,
+    /// CIE standard illuminant A.
+    A,
+    /// A black body of this temperature in kelvin.
+    Temperature(f32),
+}
+
+/// Everything that decides how a finished film looks; none of it retraces a ray.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct DisplaySettings {
+    /// Exposure in stops: 0 shows radiance 1 as luminance 1.
+    pub exposure_ev: f32,
+    /// The light that is shown as neutral.
+    pub white_point: WhitePoint,
+    /// How bright values are compressed.
+    pub tone_curve: ToneCurve,
+    /// Desaturates colours outside the display's gamut towards the white of equal luminance;
+    /// off clips each channel.
+    pub gamut_mapping: bool,
+}
+
+impl DisplaySettings {
+    /// Allowed [`exposure_ev`](Self::exposure_ev).
+    pub const EXPOSURE_EV: RangeInclusive<f32> = -10.0..=10.0;
+    /// Allowed temperature of [`WhitePoint::Temperature`].
+    pub const TEMPERATURE_KELVIN: RangeInclusive<f32> = 1500.0..=20000.0;
+}
+
+impl Default for DisplaySettings {
+    fn default() -> Self {
+        Self {
+            exposure_ev: 0.0,
+            white_point: WhitePoint::default(),
+            tone_curve: ToneCurve::default(),
+            gamut_mapping: true,
+        }
+    }
+}
