@@ -1,8 +1,13 @@
 //! A dispersive ray tracer of gemstones: scenes in, spectral films and pictures out.
 
 pub mod camera;
+pub mod color;
 pub mod cuts;
+pub mod develop;
 pub mod error;
+pub mod film;
+pub mod image_file;
+pub mod import;
 pub mod light;
 pub mod material;
 pub mod mesh;

@@ -1,1 +1,3 @@
 //! Files that bring stones and meshes.
+
+pub mod gltf;

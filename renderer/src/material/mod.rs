@@ -1,6 +1,7 @@
 //! What an object is made of.
 
 mod dispersion;
+mod library;
 
 pub use dispersion::{Dispersion, SellmeierTerm};
 

@@ -1,0 +1,1 @@
+//! From film to display: CIE XYZ, white point, exposure, tone curve, gamut, encoding.

@@ -1,0 +1,60 @@
+//! The film: sums of spectral radiance per pixel.
+
+use crate::spectrum::Bins;
+
+/// Radiance sums per pixel and spectral bin, over a number of passes.
+///
+/// Memory is `width · height · bins · 4` bytes: 133 MB at 1920×1080 with 16 bins.
+#[derive(Clone, Debug)]
+pub struct Film {
+    width: u32,
+    height: u32,
+    bins: Bins,
+    passes: u32,
+    sums: Vec<f32>,
+}
+
+impl Film {
+    /// An empty film.
+    pub fn new(width: u32, height: u32, bins: Bins) -> Self {
+        let sums = vec![0.0; width as usize * height as usize * bins.count()];
+        Self { width, height, bins, passes: 0, sums }
+    }
+
+    /// Width and height in pixels.
+    pub fn size(&self) -> [u32; 2] {
+        [self.width, self.height]
+    }
+
+    /// The division of the spectrum.
+    pub fn bins(&self) -> Bins {
+        self.bins
+    }
+
+    /// Complete passes in the sums.
+    pub fn passes(&self) -> u32 {
+        self.passes
+    }
+
+    /// Radiance sums, row by row from the top, the bins of a pixel side by side.
+    pub fn sums(&self) -> &[f32] {
+        &self.sums
+    }
+
+    /// The sums, to add a pass to; followed by [`complete_pass`](Self::complete_pass).
+    pub fn sums_mut(&mut self) -> &mut [f32] {
+        &mut self.sums
+    }
+
+    /// Counts the pass that was added to the sums.
+    pub fn complete_pass(&mut self) {
+        self.passes += 1;
+    }
+
+    /// Mean spectral radiance of the pixel at column `x`, row `y`, one value per bin.
+    pub fn pixel(&self, x: u32, y: u32) -> Vec<f32> {
+        let start = (y as usize * self.width as usize + x as usize) * self.bins.count();
+        let scale = 1.0 / self.passes.max(1) as f32;
+        self.sums[start..start + self.bins.count()].iter().map(|sum| sum * scale).collect()
+    }
+}

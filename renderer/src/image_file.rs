@@ -1,0 +1,1 @@
+//! Image files: PNG and OpenEXR, written to a temporary name and renamed.
