@@ -11,6 +11,7 @@ pub mod import;
 pub mod light;
 pub mod material;
 pub mod mesh;
+pub mod rigs;
 pub mod scene;
 pub mod scene_file;
 pub mod session;
