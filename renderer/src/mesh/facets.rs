@@ -22,14 +22,9 @@ pub(super) fn flat_facets(positions: &[Vec3], triangles: &[[u32; 3]], edges: &Ed
     let tolerance = FLATNESS * f64::from(largest);
     let across = edges.across();
 
-    let mut seeds: Vec<u32> = (0..triangles.len() as u32).collect();
-    seeds.par_sort_by(|a, b| {
-        let area = |t: &u32| normals[*t as usize].length_squared();
-        area(b).total_cmp(&area(a))
-    });
     let mut facet = vec![NONE; triangles.len()];
     let mut front = Vec::new();
-    for &seed in &seeds {
+    for seed in by_area(&normals) {
         if facet[seed as usize] != NONE {
             continue;
         }
@@ -54,6 +49,18 @@ pub(super) fn flat_facets(positions: &[Vec3], triangles: &[[u32; 3]], edges: &Ed
     }
     renumber(&mut facet);
     facet
+}
+
+/// The triangles from the largest to the smallest.
+fn by_area(doubled_areas: &[DVec3]) -> impl Iterator<Item = u32> {
+    let mut keys: Vec<u64> = doubled_areas
+        .iter()
+        .enumerate()
+        // The bits of a positive float sort as the float does.
+        .map(|(t, area)| u64::from(!(area.length() as f32).to_bits()) << 32 | t as u64)
+        .collect();
+    keys.par_sort_unstable();
+    keys.into_iter().map(|key| key as u32)
 }
 
 /// Twice the area vector of a triangle.

@@ -113,7 +113,7 @@ impl Mesh {
 
     /// Records whether the mesh is closed and, if it is, turns it outside out.
     fn orient(&mut self) -> Edges {
-        let mut edges = Edges::new(&self.triangles);
+        let mut edges = Edges::new(&self.triangles, self.positions.len());
         self.fault = edges.fault(&self.positions);
         if self.fault.is_some() {
             return edges;
@@ -127,7 +127,7 @@ impl Mesh {
             for corners in &mut self.triangles {
                 corners.swap(1, 2);
             }
-            edges = Edges::new(&self.triangles);
+            edges = Edges::new(&self.triangles, self.positions.len());
         }
         edges
     }
