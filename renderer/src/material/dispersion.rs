@@ -26,11 +26,11 @@ pub struct SellmeierTerm {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Dispersion {
-    /// n = n_D − δ·(λ − λ_D)/(λ_B − λ_G) (Thomas 1986).
+    /// `n = n_D − δ·(λ − λ_D)/(λ_B − λ_G)` (Thomas 1986).
     Linear {
         /// Index at the D line.
         n_d: f64,
-        /// n_G − n_B.
+        /// δ, the difference `n_G − n_B`.
         dispersion_bg: f64,
     },
     /// n = A + B/λ², λ in nm.
@@ -84,12 +84,16 @@ impl Dispersion {
         self.n(LAMBDA_D_NM)
     }
 
-    /// The gemmologist's dispersion n_G − n_B, at the paper's rounded lines (431 and 687 nm).
+    /// The gemmologist's dispersion `n_G − n_B`, at the paper's rounded lines (431 and 687 nm).
     pub fn dispersion_bg(&self) -> f64 {
-        self.n(LAMBDA_G_NM) - self.n(LAMBDA_B_NM)
+        match self {
+            // The figure itself, not what rounding leaves of it.
+            Self::Linear { dispersion_bg, .. } => *dispersion_bg,
+            _ => self.n(LAMBDA_G_NM) - self.n(LAMBDA_B_NM),
+        }
     }
 
-    /// The Abbe number V_d = (n_d − 1)/(n_F − n_C), with d 587.56, F 486.13 and C 656.27 nm;
+    /// The Abbe number `V_d = (n_d − 1)/(n_F − n_C)`, with d 587.56, F 486.13 and C 656.27 nm;
     /// infinite without dispersion.
     pub fn abbe_number(&self) -> f64 {
         let mean_dispersion = self.n(LAMBDA_F_NM) - self.n(LAMBDA_C_NM);
@@ -100,18 +104,18 @@ impl Dispersion {
         }
     }
 
-    /// The two-term Cauchy curve that has the index `n_d` at 589 nm and n_G − n_B =
+    /// The two-term Cauchy curve that has the index `n_d` at 589 nm and the difference
     /// `dispersion_bg` between 431 and 687 nm.
     pub fn cauchy_from(n_d: f64, dispersion_bg: f64) -> Self {
         let b_nm2 = dispersion_bg / (LAMBDA_G_NM.powi(-2) - LAMBDA_B_NM.powi(-2));
         Self::Cauchy { a: n_d - b_nm2 / LAMBDA_D_NM.powi(2), b_nm2 }
     }
 
-    /// This curve moved to the index `n_d` and stretched to n_G − n_B = `dispersion_bg`.
+    /// This curve moved to the index `n_d` and stretched to `n_G − n_B = dispersion_bg`.
     ///
     /// Linear and Cauchy curves stay what they are. A measured curve keeps its shape:
-    /// n(λ) = n_D′ + (n(λ) − n_D)·δ′/δ, sampled every nanometre; one without any dispersion has no
-    /// shape to keep and becomes a Cauchy curve.
+    /// `n(λ) = n_D′ + (n(λ) − n_D)·δ′/δ`, sampled every nanometre; one without any dispersion has
+    /// no shape to keep and becomes a Cauchy curve.
     #[must_use]
     pub fn rescaled(&self, n_d: f64, dispersion_bg: f64) -> Self {
         match self {

@@ -76,7 +76,7 @@ pub struct Measurement {
 pub struct Figures {
     /// Lowest and highest index at 589 nm; different in a birefringent stone.
     pub index: [f64; 2],
-    /// n_G − n_B. Handbooks differ.
+    /// `n_G − n_B`. Handbooks differ.
     pub dispersion_bg: f64,
     /// Where the dispersion is printed.
     pub source: String,

@@ -26,7 +26,9 @@ pub(super) fn degrees(radians_wanted: f32) -> f64 {
 pub(super) fn direction(azimuth: f64, elevation: f64) -> Vec3 {
     let (sin_a, cos_a) = azimuth.to_radians().sin_cos();
     let (sin_e, cos_e) = elevation.to_radians().sin_cos();
-    DVec3::new(cos_e * cos_a, cos_e * sin_a, sin_e).as_vec3()
+    // A right angle has no exact radians; what is left of its cosine is not meant.
+    let meant = |component: f64| if component.abs() < 1e-15 { 0.0 } else { component };
+    DVec3::new(meant(cos_e * cos_a), meant(cos_e * sin_a), sin_e).as_vec3()
 }
 
 /// The shortest azimuth and elevation in degrees that [`direction`] turns into `wanted`; `None`

@@ -106,8 +106,7 @@ impl BrilliantEntry {
 /// The published set whose name is `name`, or starts with it.
 fn named(name: &str) -> Result<StandardProportions, Fault> {
     let wanted = name.trim().to_lowercase();
-    let is_named =
-        |set: &StandardProportions| set.name().to_lowercase().starts_with(&wanted);
+    let is_named = |set: &StandardProportions| set.name().to_lowercase().starts_with(&wanted);
     StandardProportions::ALL.into_iter().find(is_named).filter(|_| !wanted.is_empty()).ok_or_else(
         || {
             let names = StandardProportions::ALL.map(StandardProportions::name);

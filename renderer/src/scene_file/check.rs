@@ -59,10 +59,9 @@ pub(super) fn exactly_one(keys: &[(&str, bool)]) -> Result<(), Fault> {
     match present.as_slice() {
         [_] => Ok(()),
         [] => Err(Fault::new(format!("one of the keys {} is missing", all()))),
-        [first, second, ..] => Err(Fault::at(
-            second,
-            format!("`{first}` is there too; give only one of {}", all()),
-        )),
+        [first, second, ..] => {
+            Err(Fault::at(second, format!("`{first}` is there too; give only one of {}", all())))
+        }
     }
 }
 

@@ -95,7 +95,9 @@ pub(super) fn suggestion(found: &str, allowed: &[&str]) -> String {
     let all = allowed.join(", ");
     let nearest = allowed
         .iter()
-        .map(|candidate| (edit_distance(&found.to_lowercase(), &candidate.to_lowercase()), candidate))
+        .map(|candidate| {
+            (edit_distance(&found.to_lowercase(), &candidate.to_lowercase()), candidate)
+        })
         .min();
     match nearest {
         Some((distance, candidate)) if distance <= 1 + candidate.chars().count() / 3 => {

@@ -25,7 +25,7 @@ pub(super) struct LightsEntry {
     hemisphere: Option<SkyEntry>,
     environment: Option<SkyEntry>,
     backdrop: Option<SkyEntry>,
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     discs: Vec<DiscEntry>,
 }
 
@@ -146,10 +146,7 @@ impl DiscEntry {
 
     fn read_direction(&self) -> Result<Vec3, Fault> {
         let has_angles = self.azimuth_degrees.is_some() || self.elevation_degrees.is_some();
-        exactly_one(&[
-            ("direction", self.direction.is_some()),
-            ("elevation_degrees", has_angles),
-        ])?;
+        exactly_one(&[("direction", self.direction.is_some()), ("elevation_degrees", has_angles)])?;
         if let Some(direction) = self.direction {
             return unit_vector("direction", direction);
         }

@@ -20,7 +20,7 @@ pub(super) struct MaterialEntry {
     curve: Option<String>,
     /// Index at 589 nm, instead of the curve's.
     n_d: Option<f64>,
-    /// n_G − n_B, instead of the curve's.
+    /// `n_G − n_B`, instead of the curve's.
     dispersion_bg: Option<f64>,
     cauchy: Option<CauchyEntry>,
     sellmeier: Option<SellmeierEntry>,

@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 use std::path::{Component, Path, PathBuf};
-use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
@@ -69,9 +68,10 @@ impl MeshEntry {
 /// `path` as seen from the folder `base`, with forward slashes; absolute where there is no way.
 fn relative(path: &Path, base: &Path) -> String {
     let inner = path.strip_prefix(base).map(Path::to_path_buf);
-    let chosen = inner.ok().or_else(|| way_up_and_down(path, base)).unwrap_or_else(|| {
-        std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf())
-    });
+    let chosen = inner
+        .ok()
+        .or_else(|| way_up_and_down(path, base))
+        .unwrap_or_else(|| std::path::absolute(path).unwrap_or_else(|_| path.to_path_buf()));
     chosen.to_string_lossy().replace(std::path::MAIN_SEPARATOR, "/")
 }
 

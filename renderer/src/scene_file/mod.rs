@@ -7,6 +7,7 @@
 mod angle;
 mod brilliant;
 mod check;
+mod deserialize;
 mod document;
 mod fault;
 mod format;
@@ -18,7 +19,6 @@ mod settings;
 mod shipped;
 mod spectrum;
 mod tree;
-mod deserialize;
 mod view;
 
 pub use document::{Document, StillSettings};

@@ -68,7 +68,10 @@ impl ObjectEntry {
         ])?;
         let transform = Transform {
             translation: self.translation_mm.map_or(Vec3::ZERO, Vec3::from_array),
-            rotation: self.rotation.map_or(Ok(Quat::IDENTITY), RotationEntry::read).under("rotation")?,
+            rotation: self
+                .rotation
+                .map_or(Ok(Quat::IDENTITY), RotationEntry::read)
+                .under("rotation")?,
             scale: positive("scale", self.scale.unwrap_or(1.0))?,
         };
         let (shape, own_material) = match (self.round_brilliant, self.polyhedron, self.mesh) {

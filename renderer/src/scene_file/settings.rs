@@ -4,9 +4,9 @@ use serde::de::value::MapAccessDeserializer;
 use serde::de::{MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
+use super::StillSettings;
 use super::check::{choose, in_range};
 use super::fault::{Fault, Under};
-use super::StillSettings;
 use crate::settings::{DisplaySettings, Splitting, ToneCurve, TraceSettings, WhitePoint};
 
 #[derive(Default, Deserialize, Serialize)]

@@ -10,10 +10,7 @@ pub struct ShippedScene {
 }
 
 const SCENES: [ShippedScene; 5] = [
-    ShippedScene {
-        name: "Diamond",
-        text: include_str!("../../../assets/scenes/diamond.toml"),
-    },
+    ShippedScene { name: "Diamond", text: include_str!("../../../assets/scenes/diamond.toml") },
     ShippedScene {
         name: "Seven diamonds",
         text: include_str!("../../../assets/scenes/seven-diamonds.toml"),

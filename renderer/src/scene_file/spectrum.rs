@@ -1,7 +1,7 @@
 //! Spectra in a scene file: a number, the name of an illuminant, or a table.
 
 use serde::de::value::MapAccessDeserializer;
-use serde::de::{MapAccess, Visitor};
+use serde::de::{Error, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::check::{choose, exactly_one, in_range, not_negative};
@@ -69,11 +69,16 @@ impl<'de> Deserialize<'de> for SpectrumEntry {
                 )
             }
 
-            fn visit_f64<E>(self, value: f64) -> Result<SpectrumEntry, E> {
-                Ok(SpectrumEntry::Flat(value as f32))
+            fn visit_f64<E: Error>(self, value: f64) -> Result<SpectrumEntry, E> {
+                let single = value as f32;
+                if single.is_finite() {
+                    Ok(SpectrumEntry::Flat(single))
+                } else {
+                    Err(E::custom(format!("{value:?} is too large a number")))
+                }
             }
 
-            fn visit_i64<E>(self, value: i64) -> Result<SpectrumEntry, E> {
+            fn visit_i64<E: Error>(self, value: i64) -> Result<SpectrumEntry, E> {
                 Ok(SpectrumEntry::Flat(value as f32))
             }
 
@@ -142,7 +147,8 @@ impl SpectrumTable {
             check_values("linear_srgb", &rgb, quantity)?;
             return Ok(Spectrum::Rgb(rgb));
         }
-        let lambda_nm = self.lambda_nm.ok_or_else(|| Fault::at("lambda_nm", "this key is missing"))?;
+        let lambda_nm =
+            self.lambda_nm.ok_or_else(|| Fault::at("lambda_nm", "this key is missing"))?;
         let value = self.value.ok_or_else(|| Fault::at("value", "this key is missing"))?;
         if lambda_nm.is_empty() || lambda_nm.len() != value.len() {
             return Err(Fault::at(
