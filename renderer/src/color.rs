@@ -67,7 +67,7 @@ pub fn uv_prime(xyz: DVec3) -> DVec2 {
 /// The matrix that turns XYZ seen in the white `from` into XYZ of the same look in the white `to`.
 /// Only the chromaticities of the whites count; luminance is kept.
 ///
-/// The linearised Bradford transform: K. M. Lam, *Metamerism and Colour Constancy*, PhD thesis,
+/// The linearised Bradford transform: K. M. Lam, *Metamerism and Colour Constancy*,
 /// University of Bradford, 1985; as in ICC.1:2022, annex E.
 pub fn adaptation(from: DVec3, to: DVec3) -> DMat3 {
     let cone_response = DMat3::from_cols(

@@ -9,18 +9,18 @@
 //! film develops again without being traced again.
 
 mod gamut;
-mod pixel;
+mod pixels;
 mod srgb8;
 mod tone_curve;
 
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
 use crate::color;
 use crate::film::Film;
 use crate::settings::DisplaySettings;
 use crate::spectrum::{Bins, Observer};
-use pixel::Development;
+use pixels::Development;
 
 /// Pixels that a thread takes at a time, at the least.
 const ROW: usize = 2048;
@@ -42,23 +42,23 @@ impl XyzImage {
     pub fn from_film(film: &Film) -> Self {
         let weights = Observer::bin_weights(film.bins());
         let scale = 1.0 / f64::from(film.passes().max(1));
-        let xyz = film
-            .sums()
-            .par_chunks_exact(weights.len())
-            .with_min_len(ROW)
-            .map(|sums| {
-                let sum: DVec3 = weights.iter().zip(sums).map(|(w, &s)| *w * f64::from(s)).sum();
-                let xyz = (sum * scale).as_vec3();
-                if xyz.is_finite() { xyz.to_array() } else { [0.0; 3] }
-            })
-            .collect();
+        let pixels = film.sums().par_chunks_exact(weights.len()).with_min_len(ROW);
+        let xyz = pixels.map(|sums| {
+            let sum: DVec3 = weights.iter().zip(sums).map(|(w, &sum)| *w * f64::from(sum)).sum();
+            let xyz = (sum * scale).as_vec3();
+            if xyz.is_finite() { xyz.to_array() } else { [0.0; 3] }
+        });
+        let xyz = xyz.collect();
         Self { size: film.size(), bins: film.bins(), xyz }
     }
 
     /// The image as a display shows it.
     pub fn develop(&self, settings: &DisplaySettings) -> DisplayImage {
         let development = Development::new(settings, self.bins);
-        let rgb = self.xyz.par_iter().with_min_len(ROW).map(|&xyz| development.rgb(xyz)).collect();
+        let mut rgb = vec![[0.0; 3]; self.xyz.len()];
+        rgb.par_chunks_mut(ROW)
+            .zip(self.xyz.par_chunks(ROW))
+            .for_each(|(rgb, xyz)| development.rgb(xyz, rgb));
         DisplayImage { size: self.size, rgb }
     }
 
@@ -66,18 +66,18 @@ impl XyzImage {
     /// code, in one pass: for the live viewport.
     pub fn develop_rgba8(&self, settings: &DisplaySettings) -> Vec<u8> {
         let development = Development::new(settings, self.bins);
-        let mut rgba8 = vec![255; 4 * self.xyz.len()];
+        let mut rgba8 = vec![0; 4 * self.xyz.len()];
         rgba8
             .par_chunks_mut(4 * ROW)
             .zip(self.xyz.par_chunks(ROW))
-            .for_each(|(row, xyz)| development.rgba8(xyz, row));
+            .for_each(|(rgba8, xyz)| development.rgba8(xyz, rgba8));
         rgba8
     }
 
     /// Scene-linear Rec. 709 RGB: no exposure, no adaptation, no tone curve, channels unbounded.
     pub fn linear_rgb(&self) -> Vec<[f32; 3]> {
         let rgb_from_xyz = color::rec709_from_xyz().as_mat3();
-        self.xyz.iter().map(|&xyz| (rgb_from_xyz * glam::Vec3::from(xyz)).to_array()).collect()
+        self.xyz.iter().map(|&xyz| (rgb_from_xyz * Vec3::from(xyz)).to_array()).collect()
     }
 }
 

@@ -7,6 +7,7 @@ mod png_file;
 mod replace;
 
 use std::collections::BTreeMap;
+use std::ffi::OsStr;
 use std::path::Path;
 
 use crate::error::RendererError;
@@ -30,7 +31,7 @@ impl ImageFormat {
     /// # Errors
     /// Any other extension, or none.
     pub fn of(path: &Path) -> Result<Self, RendererError> {
-        let extension = path.extension().map(|extension| extension.to_ascii_lowercase());
+        let extension = path.extension().map(OsStr::to_ascii_lowercase);
         match extension.as_ref().and_then(|extension| extension.to_str()) {
             Some("png") => Ok(Self::Png),
             Some("exr") => Ok(Self::Exr),

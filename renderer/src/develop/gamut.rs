@@ -1,35 +1,40 @@
 //! Colours that the display cannot show.
 
+use wide::f32x8;
+
 /// Moves a colour of luminance `y` along the line to the white of equal luminance until each
 /// channel lies in 0..=1. At `y` ≥ 1 only white is left.
 ///
 /// S. W. Thomas, "Dispersive refraction in ray tracing", 1986, on colours outside the gamut.
-pub(super) fn desaturate(rgb: [f32; 3], y: f32) -> [f32; 3] {
-    if y >= 1.0 {
-        return [1.0; 3];
-    }
-    let low = rgb[0].min(rgb[1]).min(rgb[2]);
-    let high = rgb[0].max(rgb[1]).max(rgb[2]);
-    if low >= 0.0 && high <= 1.0 {
-        return rgb;
-    }
-    let above_black = if low < 0.0 { y / (y - low) } else { 1.0 };
-    let below_white = if high > 1.0 { (1.0 - y) / (high - y) } else { 1.0 };
-    let saturation = above_black.min(below_white);
+pub(super) fn desaturate(rgb: [f32x8; 3], y: f32x8) -> [f32x8; 3] {
+    let [zero, one] = [f32x8::ZERO, f32x8::ONE];
+    let low = rgb[0].fast_min(rgb[1]).fast_min(rgb[2]);
+    let high = rgb[0].fast_max(rgb[1]).fast_max(rgb[2]);
+    let above_black = y / (y - low.fast_min(zero));
+    let below_white = (one - y) / (high.fast_max(one) - y);
+    let saturation = above_black.fast_min(below_white);
+    let fits = low.simd_ge(zero) & high.simd_le(one);
+    let is_white = y.simd_ge(one);
     // Rounding may leave the boundary by one ulp; `clip` brings it back.
-    clip(rgb.map(|channel| y + saturation * (channel - y)))
+    let moved = clip(rgb.map(|channel| y + saturation * (channel - y)));
+    std::array::from_fn(|i| is_white.select(one, fits.select(rgb[i], moved[i])))
 }
 
 /// Cuts each channel off at 0 and 1, which shifts hue and luminance.
-pub(super) fn clip(rgb: [f32; 3]) -> [f32; 3] {
-    rgb.map(|channel| channel.clamp(0.0, 1.0))
+pub(super) fn clip(rgb: [f32x8; 3]) -> [f32x8; 3] {
+    rgb.map(|channel| channel.fast_max(f32x8::ZERO).fast_min(f32x8::ONE))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use super::{clip, f32x8};
     use crate::color;
     use glam::DVec3;
+
+    fn desaturate(rgb: [f32; 3], y: f32) -> [f32; 3] {
+        super::desaturate(rgb.map(f32x8::splat), f32x8::splat(y))
+            .map(|channel| channel.to_array()[0])
+    }
 
     fn luminance(rgb: [f32; 3]) -> f32 {
         color::luminance(DVec3::from_array(rgb.map(f64::from))) as f32
@@ -77,6 +82,7 @@ mod tests {
 
     #[test]
     fn clipping_cuts_each_channel_on_its_own() {
-        assert_eq!(clip([-0.3, 0.6, 1.2]), [0.0, 0.6, 1.0]);
+        let clipped = clip([-0.3, 0.6, 1.2].map(f32x8::splat));
+        assert_eq!(clipped, [0.0, 0.6, 1.0].map(f32x8::splat));
     }
 }

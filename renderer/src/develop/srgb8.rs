@@ -2,6 +2,8 @@
 
 use std::sync::LazyLock;
 
+use wide::f32x8;
+
 use crate::color::srgb_encode;
 
 /// Equal steps of linear light, narrower than the narrowest code: near black a code is
@@ -25,11 +27,14 @@ impl Srgb8 {
         &TABLE
     }
 
-    /// The code of a linear channel in 0..=1: 255 times its sRGB encoding, rounded.
-    pub(super) fn encode(&self, linear: f32) -> u8 {
-        let step = ((linear * STEPS as f32) as usize).min(STEPS);
-        let code = self.code[step];
-        code + u8::from(linear >= self.threshold[usize::from(code) + 1])
+    /// The codes of linear channels in 0..=1: 255 times their sRGB encoding, rounded.
+    pub(super) fn encode(&self, linear: f32x8) -> [u8; 8] {
+        let steps = (linear * STEPS as f32).fast_trunc_int().to_array();
+        let linear = linear.to_array();
+        std::array::from_fn(|lane| {
+            let code = self.code[(steps[lane] as usize).min(STEPS)];
+            code + u8::from(linear[lane] >= self.threshold[usize::from(code) + 1])
+        })
     }
 }
 
@@ -62,16 +67,16 @@ mod tests {
 
     #[test]
     fn the_table_rounds_as_the_definition_does() {
-        let table = Srgb8::get();
+        let encode = |linear: f32| Srgb8::get().encode(f32x8::splat(linear))[0];
         for code in 0..=255 {
             let edge = smallest_linear(code);
             for linear in [edge.next_down().max(0.0), edge, edge.next_up().min(1.0)] {
-                assert_eq!(table.encode(linear), rounded(linear), "{linear:e}");
+                assert_eq!(encode(linear), rounded(linear), "{linear:e}");
             }
         }
         for step in 0..=1_000_000 {
             let linear = step as f32 / 1e6;
-            assert_eq!(table.encode(linear), rounded(linear), "{linear:e}");
+            assert_eq!(encode(linear), rounded(linear), "{linear:e}");
         }
     }
 }

@@ -1,5 +1,7 @@
 //! Tone curves on luminance.
 
+use wide::f32x8;
+
 use crate::settings::ToneCurve;
 
 /// The smallest luminance that [`ToneCurve::Reinhard`] shows as white: two stops above radiance 1.
@@ -14,11 +16,11 @@ impl ToneCurve {
     /// Images", SIGGRAPH 2002. `Filmic` is K. Narkowicz's rational fit, "ACES Filmic Tone Mapping
     /// Curve", 2016, of the ACES reference rendering and sRGB output transforms; it takes 1 to 0.80
     /// and reaches white at 7.2.
-    pub(super) fn gain(self, y: f32) -> f32 {
+    pub(super) fn gain(self, y: f32x8) -> f32x8 {
         // Far above white in every curve, and its square is still finite.
-        let y = y.min(1e9);
+        let y = y.fast_min(f32x8::splat(1e9));
         match self {
-            Self::Linear => 1.0,
+            Self::Linear => f32x8::ONE,
             Self::Reinhard => (1.0 + y / (REINHARD_WHITE * REINHARD_WHITE)) / (1.0 + y),
             Self::Filmic => (2.51 * y + 0.03) / (y * (2.43 * y + 0.59) + 0.14),
         }
@@ -30,7 +32,7 @@ mod tests {
     use super::*;
 
     fn shown(curve: ToneCurve, y: f32) -> f32 {
-        curve.gain(y) * y
+        curve.gain(f32x8::splat(y)).to_array()[0] * y
     }
 
     #[test]

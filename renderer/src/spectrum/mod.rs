@@ -117,11 +117,9 @@ fn validate_table(lambda_nm: &[f32], value: &[f32]) -> Result<(), String> {
     if let Some(&wrong) = lambda_nm.iter().find(|&&lambda_nm| !is_quantity(lambda_nm)) {
         return Err(format!("the wavelength {wrong} must be a number of nanometres"));
     }
-    if let Some(pair) = lambda_nm.windows(2).find(|pair| pair[0] >= pair[1]) {
-        return Err(format!(
-            "the wavelength {} follows {}; wavelengths must increase",
-            pair[1], pair[0]
-        ));
+    let mut neighbours = lambda_nm.iter().zip(&lambda_nm[1..]);
+    if let Some((before, after)) = neighbours.find(|(before, after)| before >= after) {
+        return Err(format!("the wavelength {after} follows {before}; wavelengths must increase"));
     }
     match lambda_nm.iter().zip(value).find(|&(_, &value)| !is_quantity(value)) {
         Some((lambda_nm, wrong)) => {

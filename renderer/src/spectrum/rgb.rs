@@ -48,7 +48,7 @@ impl Reflectance {
     pub(super) fn at(self, lambda_nm: f64) -> f64 {
         match self {
             Self::Grey(value) => value,
-            Self::Coloured(coefficients) => sigmoid(coefficients.dot(powers(lambda_nm))),
+            Self::Coloured(coefficients) => sigmoid(coefficients.dot(powers(lambda_nm))).0,
         }
     }
 }
@@ -60,12 +60,10 @@ fn powers(lambda_nm: f64) -> DVec3 {
     DVec3::new(1.0, t, t * t)
 }
 
-fn sigmoid(x: f64) -> f64 {
-    0.5 + 0.5 * x / (1.0 + x * x).sqrt()
-}
-
-fn sigmoid_slope(x: f64) -> f64 {
-    0.5 / (1.0 + x * x).powf(1.5)
+/// The sigmoid and its slope.
+fn sigmoid(x: f64) -> (f64, f64) {
+    let cosine = 1.0 / (1.0 + x * x).sqrt();
+    (0.5 + 0.5 * x * cosine, 0.5 * cosine.powi(3))
 }
 
 /// The coefficients whose reflectance has the linear sRGB colour `target`, or comes closest to it:
@@ -102,10 +100,10 @@ fn residual(coefficients: DVec3, target: DVec3) -> (DVec3, DMat3) {
     let mut error = -target;
     let mut jacobian = DMat3::ZERO;
     for &(powers, rgb) in RESPONSE.iter() {
-        let x = coefficients.dot(powers);
-        error += rgb * sigmoid(x);
-        let slope = rgb * sigmoid_slope(x);
-        jacobian += DMat3::from_cols(slope * powers.x, slope * powers.y, slope * powers.z);
+        let (value, slope) = sigmoid(coefficients.dot(powers));
+        error += rgb * value;
+        let [one, t, t2] = (powers * slope).to_array();
+        jacobian += DMat3::from_cols(rgb * one, rgb * t, rgb * t2);
     }
     (error, jacobian)
 }
