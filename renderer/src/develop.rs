@@ -22,8 +22,8 @@ use crate::settings::DisplaySettings;
 use crate::spectrum::{Bins, Observer};
 use pixels::Development;
 
-/// Pixels that a thread takes at a time, at the least.
-const ROW: usize = 2048;
+/// Pixels that a thread takes at a time: enough to be worth the asking.
+const PIXELS_PER_TASK: usize = 2048;
 
 /// CIE XYZ per pixel as the observer sees the film: radiance 1 at every wavelength is Y = 1.
 #[derive(Clone, Debug)]
@@ -42,7 +42,7 @@ impl XyzImage {
     pub fn from_film(film: &Film) -> Self {
         let weights = Observer::bin_weights(film.bins());
         let scale = 1.0 / f64::from(film.passes().max(1));
-        let pixels = film.sums().par_chunks_exact(weights.len()).with_min_len(ROW);
+        let pixels = film.sums().par_chunks_exact(weights.len()).with_min_len(PIXELS_PER_TASK);
         let xyz = pixels.map(|sums| {
             let sum: DVec3 = weights.iter().zip(sums).map(|(w, &sum)| *w * f64::from(sum)).sum();
             let xyz = (sum * scale).as_vec3();
@@ -56,8 +56,8 @@ impl XyzImage {
     pub fn develop(&self, settings: &DisplaySettings) -> DisplayImage {
         let development = Development::new(settings, self.bins);
         let mut rgb = vec![[0.0; 3]; self.xyz.len()];
-        rgb.par_chunks_mut(ROW)
-            .zip(self.xyz.par_chunks(ROW))
+        rgb.par_chunks_mut(PIXELS_PER_TASK)
+            .zip(self.xyz.par_chunks(PIXELS_PER_TASK))
             .for_each(|(rgb, xyz)| development.rgb(xyz, rgb));
         DisplayImage { size: self.size, rgb }
     }
@@ -68,8 +68,8 @@ impl XyzImage {
         let development = Development::new(settings, self.bins);
         let mut rgba8 = vec![0; 4 * self.xyz.len()];
         rgba8
-            .par_chunks_mut(4 * ROW)
-            .zip(self.xyz.par_chunks(ROW))
+            .par_chunks_mut(4 * PIXELS_PER_TASK)
+            .zip(self.xyz.par_chunks(PIXELS_PER_TASK))
             .for_each(|(rgba8, xyz)| development.rgba8(xyz, rgba8));
         rgba8
     }
@@ -94,13 +94,17 @@ impl DisplayImage {
     /// sRGB-encoded, 8 bits per channel, with an opaque alpha.
     pub fn to_rgba8_srgb(&self) -> Vec<u8> {
         let encode = |channel: f32| (255.0 * color::srgb_encode(channel.into())).round() as u8;
-        let pixels = self.rgb.par_iter().with_min_len(ROW);
+        let pixels = self.rgb.par_iter().with_min_len(PIXELS_PER_TASK);
         pixels.flat_map_iter(|rgb| rgb.map(encode).into_iter().chain([255])).collect()
     }
 
     /// sRGB-encoded, 16 bits per channel, red, green, blue.
     pub fn to_rgb16_srgb(&self) -> Vec<u16> {
         let encode = |channel: f32| (65535.0 * color::srgb_encode(channel.into())).round() as u16;
-        self.rgb.par_iter().with_min_len(ROW).flat_map_iter(|rgb| rgb.map(encode)).collect()
+        self.rgb
+            .par_iter()
+            .with_min_len(PIXELS_PER_TASK)
+            .flat_map_iter(|rgb| rgb.map(encode))
+            .collect()
     }
 }
