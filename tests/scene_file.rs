@@ -354,7 +354,7 @@ fn faults_name_line_key_finding_and_remedy() {
             "format = 1\n[lights.backdrop]\n\
              spectrum = { lambda_nm = [500, 400], value = [1, 1] }\n"
                 .into(),
-            &["line 3", "`lights.backdrop.spectrum.lambda_nm.1`", "must increase"],
+            &["line 3", "`lights.backdrop.spectrum`", "must increase"],
         ),
         (
             "three numbers",
@@ -456,9 +456,7 @@ fn files_are_saved_whole_and_opened_again() {
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1, "a temporary file is left");
 
     let nowhere = folder.path().join("no/such/folder/scene.toml");
-    assert!(
-        matches!(document.save(&nowhere), Err(RendererError::Io { path, .. }) if path == nowhere)
-    );
+    assert!(document.save(&nowhere).unwrap_err().to_string().contains("does not exist"));
     assert!(matches!(Document::open(&nowhere), Err(RendererError::Io { .. })));
     let open = |name: &str, bytes: &[u8]| {
         let path = folder.path().join(name);
@@ -555,8 +553,8 @@ fn deep_nesting_and_long_keys_are_faults() {
 /// The example in the documentation.
 fn example() -> String {
     let page = include_str!("../docs/scene-file.md");
-    let start = page.find("```toml\n").unwrap() + "```toml\n".len();
-    page[start..start + page[start..].find("```").unwrap()].to_owned()
+    let (_, after) = page.split_once("```toml\n").expect("an example begins");
+    after.split_once("```").expect("the example ends").0.to_owned()
 }
 
 #[test]

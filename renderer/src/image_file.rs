@@ -4,7 +4,7 @@
 
 mod openexr;
 mod png_file;
-mod replace;
+pub(crate) mod replace;
 
 use std::collections::BTreeMap;
 use std::ffi::OsStr;

@@ -1,5 +1,6 @@
 //! The document: what a scene file says.
 
+use std::ffi::OsStr;
 use std::io::{Read, Write};
 use std::ops::RangeInclusive;
 use std::path::Path;
@@ -10,9 +11,11 @@ use super::format;
 use crate::camera::Camera;
 use crate::cuts::RoundBrilliant;
 use crate::error::RendererError;
+use crate::image_file::replace::replace;
+use crate::import::gltf::{self, GltfObject};
 use crate::material::{Dielectric, Dispersion, Material};
 use crate::rigs;
-use crate::scene::{Object, Scene, Shape, Transform};
+use crate::scene::{MeshSource, Object, Scene, Shape, Transform};
 use crate::settings::{DisplaySettings, TraceSettings};
 
 /// Longest scene file that is read, in bytes.
@@ -102,7 +105,7 @@ impl Document {
     pub fn open_with(path: &Path, overrides: &[String]) -> Result<Self, RendererError> {
         let fault = |message: String| RendererError::File { path: path.to_owned(), message };
         let base = path.parent().unwrap_or(Path::new(""));
-        let extension = path.extension().map(|extension| extension.to_ascii_lowercase());
+        let extension = path.extension().map(OsStr::to_ascii_lowercase);
         match extension.as_ref().and_then(|extension| extension.to_str()) {
             Some("toml") => format::read(&text_of(path)?, base, overrides).map_err(fault),
             Some("gltf" | "glb") => {
@@ -135,39 +138,35 @@ impl Document {
     /// # Errors
     /// The file can't be written.
     pub fn save(&self, path: &Path) -> Result<(), RendererError> {
-        let io = |source| RendererError::Io { path: path.to_owned(), source };
         let base = path.parent().unwrap_or(Path::new(""));
-        let folder = if base.as_os_str().is_empty() { Path::new(".") } else { base };
-        let mut builder = tempfile::Builder::new();
-        // A temporary file is private by default; a scene is an ordinary file.
-        #[cfg(unix)]
-        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-        let mut file = builder.tempfile_in(folder).map_err(io)?;
-        file.write_all(self.to_toml(base).as_bytes()).map_err(io)?;
-        file.persist(path).map_err(|error| io(error.error))?;
-        Ok(())
+        replace(path, |file| file.write_all(self.to_toml(base).as_bytes()))
     }
 
-    /// The meshes of a glTF file in the default lights, seen from the default side.
+    /// The meshes of a glTF file, with its first camera and its lights; where it has none, the
+    /// default lights, seen from the default side.
     fn around_meshes(path: &Path) -> Result<Self, RendererError> {
-        let objects = crate::import::gltf::load(path)?;
-        let start = Self::default();
-        let camera = framing(&objects, start.scene.camera);
-        Ok(Self { scene: Scene { objects, camera, ..start.scene }, ..start })
+        let file = gltf::load(path)?;
+        let mut document = Self::default();
+        let scene = &mut document.scene;
+        let camera = file.cameras.first().copied();
+        scene.camera = camera.unwrap_or_else(|| framing(&file.objects, scene.camera));
+        if !file.lights.is_empty() {
+            scene.lights.discs = file.lights;
+        }
+        let object = |(index, object): (usize, GltfObject)| Object {
+            name: object.name,
+            shape: Shape::Mesh(MeshSource { path: path.to_owned(), index, mesh: object.mesh }),
+            transform: Transform::default(),
+            material: object.material,
+        };
+        scene.objects = file.objects.into_iter().enumerate().map(object).collect();
+        Ok(document)
     }
 }
 
 /// `camera` moved along its view until the meshes fill the picture as the start stone does.
-fn framing(objects: &[Object], camera: Camera) -> Camera {
-    let points = || {
-        objects.iter().flat_map(|object| {
-            let positions = match &object.shape {
-                Shape::Mesh(source) => source.mesh.positions.as_slice(),
-                Shape::RoundBrilliant(_) | Shape::Polyhedron(_) => &[],
-            };
-            positions.iter().map(|&position| object.transform.point(position))
-        })
-    };
+fn framing(objects: &[GltfObject], camera: Camera) -> Camera {
+    let points = || objects.iter().flat_map(|object| object.mesh.positions.iter().copied());
     let low = points().fold(Vec3::INFINITY, Vec3::min);
     let high = points().fold(Vec3::NEG_INFINITY, Vec3::max);
     let centre = 0.5 * (low + high);
