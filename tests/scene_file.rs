@@ -564,3 +564,101 @@ fn the_documented_example_is_a_scene() {
     assert!(document.scene.objects.len() >= 4);
     assert!(document.scene.ground.is_some() && document.scene.lights.environment.is_some());
 }
+
+/// A GLB file with a tetrahedron, three of its edges 1 unit long: clear and of index 1.7, or open
+/// and matte, with one of its faces left out.
+fn tetrahedron_glb(is_open: bool) -> Vec<u8> {
+    let indices = if is_open { 9 } else { 12 };
+    let transmission = if is_open { 0.0 } else { 1.0 };
+    let positions: [[f32; 3]; 4] =
+        [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let triangles: [u16; 12] = [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3];
+    let mut binary: Vec<u8> =
+        positions.as_flattened().iter().flat_map(|value| value.to_le_bytes()).collect();
+    binary.extend(triangles.iter().flat_map(|index| index.to_le_bytes()));
+    let mut text = serde_json::json!({
+        "asset": { "version": "2.0" },
+        "extensionsUsed": ["KHR_materials_ior", "KHR_materials_transmission"],
+        "scene": 0,
+        "scenes": [{ "nodes": [0] }],
+        "nodes": [{ "name": "Tetrahedron", "mesh": 0 }],
+        "meshes": [{ "primitives": [{
+            "attributes": { "POSITION": 0 }, "indices": 1, "material": 0
+        }] }],
+        "materials": [{ "name": "Clear", "extensions": {
+            "KHR_materials_ior": { "ior": 1.7 },
+            "KHR_materials_transmission": { "transmissionFactor": transmission }
+        } }],
+        "buffers": [{ "byteLength": 72 }],
+        "bufferViews": [
+            { "buffer": 0, "byteOffset": 0, "byteLength": 48 },
+            { "buffer": 0, "byteOffset": 48, "byteLength": 24 }
+        ],
+        "accessors": [
+            { "bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3",
+              "min": [0, 0, 0], "max": [1, 1, 1] },
+            { "bufferView": 1, "componentType": 5123, "count": indices, "type": "SCALAR" }
+        ]
+    })
+    .to_string()
+    .into_bytes();
+    text.resize(text.len().next_multiple_of(4), b' ');
+    let mut glb = b"glTF\x02\0\0\0".to_vec();
+    glb.extend((12 + 8 + text.len() as u32 + 8 + binary.len() as u32).to_le_bytes());
+    for (kind, chunk) in [(b"JSON", &text), (b"BIN\0", &binary)] {
+        glb.extend((chunk.len() as u32).to_le_bytes());
+        glb.extend(kind);
+        glb.extend(chunk);
+    }
+    glb
+}
+
+#[test]
+fn meshes_are_opened_saved_and_found_again_beside_the_scene() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::create_dir(folder.path().join("stones")).unwrap();
+    let glb = folder.path().join("stones/tetrahedron.glb");
+    std::fs::write(&glb, tetrahedron_glb(false)).unwrap();
+
+    let opened = Document::open(&glb).unwrap();
+    let start = Document::default();
+    assert_eq!(opened.scene.lights, start.scene.lights);
+    let object = &opened.scene.objects[0];
+    assert_eq!(object.name, "Tetrahedron");
+    assert!(matches!(&object.material, Material::Dielectric(clear)
+        if (clear.dispersion.n_d() - 1.7).abs() < 1e-3));
+    // The mesh stands in the middle of the picture and fills it as far as the start stone does.
+    let Camera { position, target, .. } = opened.scene.camera;
+    assert!((target.abs() - 0.5).abs().max_element() < 1e-6, "{target}");
+    let start_camera = start.scene.camera;
+    let shrunk = position.distance(target) / start_camera.position.distance(start_camera.target);
+    assert!((shrunk - 0.75_f32.sqrt() / 3.25).abs() < 1e-6, "{shrunk}");
+
+    let path = folder.path().join("scene.toml");
+    opened.save(&path).unwrap();
+    let text = std::fs::read_to_string(&path).unwrap();
+    assert!(text.contains("file = \"stones/tetrahedron.glb\"\nindex = 0\n"), "{text}");
+    let again = Document::open(&path).unwrap();
+    assert_eq!(again.to_toml(folder.path()), text);
+    assert_eq!(again.scene.objects[0].material, object.material);
+
+    let mesh = "format = 1\n[[objects]]\nmesh.file = \"stones/tetrahedron.glb\"\n";
+    let from = |text: &str| Document::from_toml(text, folder.path());
+    let own = from(mesh).unwrap();
+    assert_eq!(own.scene.objects[0].material, object.material, "the material of the file");
+    let given = from(&format!("{mesh}material.library = \"Quartz\"\n")).unwrap();
+    assert_ne!(given.scene.objects[0].material, object.material);
+    let fault = from(&format!("{mesh}mesh.index = 3\n")).unwrap_err().to_string();
+    assert!(fault.contains("`objects.0.mesh.index`: found 3"), "{fault}");
+    assert!(fault.contains("has 1 meshes"), "{fault}");
+
+    std::fs::write(folder.path().join("open.glb"), tetrahedron_glb(true)).unwrap();
+    let open = "format = 1\n[[objects]]\nmesh.file = \"open.glb\"\n";
+    assert!(from(open).is_ok());
+    let fault = from(&format!("{open}material.library = \"Quartz\"\n")).unwrap_err().to_string();
+    assert!(fault.contains("line 3") && fault.contains("must be closed"), "{fault}");
+
+    let set = |text: &str| Document::open_with(&glb, &[text.to_owned()]);
+    assert_eq!(set("objects.0.material.n_d=2").unwrap().scene.objects.len(), 1);
+    assert!(set("objects.0.materail.n_d=2").unwrap_err().to_string().contains("did you mean"));
+}

@@ -166,9 +166,11 @@ impl Document {
 
 /// `camera` moved along its view until the meshes fill the picture as the start stone does.
 fn framing(objects: &[GltfObject], camera: Camera) -> Camera {
-    let points = || objects.iter().flat_map(|object| object.mesh.positions.iter().copied());
-    let low = points().fold(Vec3::INFINITY, Vec3::min);
-    let high = points().fold(Vec3::NEG_INFINITY, Vec3::max);
+    let nothing = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+    let (low, high) = objects.iter().fold(nothing, |(low, high), object| {
+        let bounds = object.mesh.bounds();
+        (low.min(bounds.0), high.max(bounds.1))
+    });
     let centre = 0.5 * (low + high);
     let radius = 0.5 * (high - low).length();
     if !radius.is_finite() || radius <= 0.0 {
