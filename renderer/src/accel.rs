@@ -7,6 +7,7 @@ use obvhs::aabb::Aabb;
 use obvhs::bvh2::builder::build_bvh2;
 use obvhs::{Boundable, BvhBuildParams};
 
+use crate::mesh::Mesh;
 use crate::packed::{BvhNode, PackedTriangle};
 
 /// An axis-aligned box.
@@ -55,12 +56,36 @@ pub struct MeshHierarchy {
 }
 
 impl MeshHierarchy {
-    /// Builds the hierarchy of `triangles`.
-    pub fn new(triangles: &[PackedTriangle]) -> Self {
+    /// Builds the hierarchy of `mesh`.
+    pub fn new(mesh: &Mesh) -> Self {
+        let triangles: Vec<_> = mesh
+            .triangles
+            .iter()
+            .zip(&mesh.facet)
+            .map(|(corners, &facet)| {
+                packed_triangle(corners.map(|i| mesh.positions[i as usize]), facet)
+            })
+            .collect();
         let bounds: Vec<_> = triangles.iter().map(|t| Bounds::of([t.a, t.b, t.c])).collect();
         let (nodes, order) = build_hierarchy(&bounds);
         let triangles = order.iter().map(|&i| triangles[i as usize]).collect();
         Self { nodes, triangles }
+    }
+}
+
+/// A triangle without area gets the normal 0, from which no ray ever meets it.
+fn packed_triangle([a, b, c]: [Vec3; 3], facet: u32) -> PackedTriangle {
+    let (edge_b, edge_c) = ((b - a).as_dvec3(), (c - a).as_dvec3());
+    let normal = edge_b.cross(edge_c).normalize_or_zero().as_vec3();
+    PackedTriangle {
+        a,
+        facet,
+        b,
+        normal_x: normal.x,
+        c,
+        normal_y: normal.y,
+        normal_z: normal.z,
+        padding: [0; 3],
     }
 }
 

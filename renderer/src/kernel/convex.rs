@@ -1,7 +1,7 @@
 //! Rays and convex solids: all planes, eight at a time, in one loop.
 
 use glam::Vec3;
-use wide::{CmpEq, CmpGt, CmpLt, f32x8};
+use wide::f32x8;
 
 use crate::kernel::ray::{Hit, Ray};
 use crate::packed::{Instance, NONE, PLANES_PER_BLOCK, PackedScene, PlaneBlock};
@@ -25,8 +25,8 @@ pub fn exit(scene: &PackedScene, instance: &Instance, ray: &Ray) -> Hit {
         let distance = gap / towards;
         let is_nearer =
             towards.simd_gt(f32x8::ZERO) & distance.simd_lt(nearest) & !facet.simd_eq(left_facet);
-        nearest = is_nearer.blend(distance, nearest);
-        nearest_facet = is_nearer.blend(facet, nearest_facet);
+        nearest = is_nearer.select(distance, nearest);
+        nearest_facet = is_nearer.select(facet, nearest_facet);
         facet += f32x8::splat(PLANES_PER_BLOCK as f32);
     }
     let (distance, facet) = least(nearest, nearest_facet);
@@ -46,13 +46,13 @@ pub fn entry(scene: &PackedScene, instance: &Instance, ray: &Ray) -> Hit {
         let (towards, gap) = project(block, &origin, &direction);
         let distance = gap / towards;
         let is_farther = towards.simd_lt(f32x8::ZERO) & distance.simd_gt(farthest_entry);
-        farthest_entry = is_farther.blend(distance, farthest_entry);
-        entry_facet = is_farther.blend(facet, entry_facet);
+        farthest_entry = is_farther.select(distance, farthest_entry);
+        entry_facet = is_farther.select(facet, entry_facet);
         // A plane that the ray runs along or away behind of shuts it out: its exit is at −∞.
         let is_beyond = !towards.simd_lt(f32x8::ZERO) & gap.simd_lt(f32x8::ZERO);
-        let exit = is_beyond.blend(
+        let exit = is_beyond.select(
             f32x8::splat(f32::NEG_INFINITY),
-            towards.simd_gt(f32x8::ZERO).blend(distance, f32x8::splat(f32::INFINITY)),
+            towards.simd_gt(f32x8::ZERO).select(distance, f32x8::splat(f32::INFINITY)),
         );
         nearest_exit = nearest_exit.fast_min(exit);
         facet += f32x8::splat(PLANES_PER_BLOCK as f32);

@@ -107,7 +107,7 @@ impl PackedBodies {
         let offset = -(inverse * translation);
         let row = |i: usize| inverse.row(i).extend(offset[i]);
         let bounds =
-            Bounds::of(mesh.positions().iter().map(|&position| object.transform.point(position)));
+            Bounds::of(mesh.positions.iter().map(|&position| object.transform.point(position)));
         self.instances.push(Instance {
             object_from_world: [row(0), row(1), row(2)],
             kind: MESH,
