@@ -14,6 +14,7 @@ pub mod light;
 pub mod material;
 pub mod mesh;
 pub mod packed;
+pub mod rigs;
 pub mod scene;
 pub mod scene_file;
 pub mod scheduler;
