@@ -23,8 +23,7 @@ fn received(perturb: bool) -> Vec<f64> {
         .map(|i| {
             let angle = low + (high - low) * (i as f64 + 0.5) / 120.0;
             let towards = Vec3::new(angle.cos() as f32, 0.0, angle.sin() as f32);
-            let lights =
-                Lights { discs: vec![flat_disc(towards, 0.06, 1.0)], ..Lights::default() };
+            let lights = Lights { discs: vec![flat_disc(towards, 0.06, 1.0)], ..Lights::default() };
             let scene = scene(vec![object(prism(60.0, 5.0), clear(FLINT))], lights);
             let (pixel, _) = trace_ray(&scene, &settings, &ray);
             pixel.iter().map(|&bin| f64::from(bin)).sum()

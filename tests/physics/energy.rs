@@ -8,8 +8,8 @@ use brilliance_renderer::spectrum::Spectrum;
 use glam::DVec3;
 
 use crate::scenes::{
-    block, brilliant, close_camera, flat_disc, flat_sky, furnace, mean, object, render,
-    request, scene,
+    block, brilliant, close_camera, flat_disc, flat_sky, furnace, mean, object, render, request,
+    scene,
 };
 
 const SIZE: [u32; 2] = [72, 64];
@@ -43,8 +43,7 @@ fn at_the_default_settings_the_furnace_loses_less_than_half_a_thousandth() {
 #[test]
 fn every_joule_is_accounted_for() {
     let mut everything = furnace();
-    everything.lights.discs =
-        vec![flat_disc(glam::Vec3::new(0.3, 0.2, 0.9), 1.0, 100.0)];
+    everything.lights.discs = vec![flat_disc(glam::Vec3::new(0.3, 0.2, 0.9), 1.0, 100.0)];
     everything.objects.push(object(block(DVec3::splat(1.0)), absorbing(0.3)));
     everything.objects[1].transform.translation = glam::Vec3::new(5.0, 0.0, 0.0);
     let still = render(&request(everything, close_camera(12.0), SIZE, settings(1e-3, 24)), 0);

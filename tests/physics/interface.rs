@@ -48,7 +48,8 @@ fn reflectance_matches_the_trigonometric_fresnel_formulae() {
             let i = f64::from(degrees).to_radians();
             let t = (i.sin() / n).asin();
             let expected = 0.5
-                * (((i - t).sin() / (i + t).sin()).powi(2) + ((i - t).tan() / (i + t).tan()).powi(2));
+                * (((i - t).sin() / (i + t).sin()).powi(2)
+                    + ((i - t).tan() / (i + t).tan()).powi(2));
             let found = f64::from(reflectance(i as f32, 1.0, n as f32));
             assert!((found - expected).abs() < 2e-5, "n {n}, {degrees}°: {found} {expected}");
         }
@@ -90,8 +91,9 @@ fn reflection_keeps_the_angle() {
 
 #[test]
 fn the_total_reflection_wavelength_is_the_root_of_the_critical_condition() {
-    let packed = PackedScene::new(&scene(vec![brilliant(DIAMOND)], Lights::default()), Bins::new(16))
-        .expect("packs");
+    let packed =
+        PackedScene::new(&scene(vec![brilliant(DIAMOND)], Lights::default()), Bins::new(16))
+            .expect("packs");
     let interface = Interface { normal: Vec3::Z, medium_from: 0, medium_to: NONE };
     for target_nm in [385.0_f32, 431.0, 500.0, 589.0, 687.0, 725.0] {
         // At sin θ = 1/n(λ) exactly λ is critical; shorter waves, of higher index, are reflected.

@@ -16,7 +16,9 @@ use brilliance_renderer::solid::Solid;
 use brilliance_renderer::spectrum::Bins;
 use glam::{Quat, Vec3};
 
-use crate::scenes::{DIAMOND, brilliant, clear, close_camera, flat_sky, furnace, mean, render, request, scene};
+use crate::scenes::{
+    DIAMOND, brilliant, clear, close_camera, flat_sky, furnace, mean, render, request, scene,
+};
 
 /// The brilliant as a triangle mesh, somewhere else, turned and scaled.
 fn meshed(transform: Transform) -> Object {
@@ -73,7 +75,15 @@ fn a_mesh_renders_as_its_solid() {
     let trace = TraceSettings { max_depth: 24, ..TraceSettings::default() };
     let lights = Lights { hemisphere: Some(flat_sky(1.0)), ..Lights::default() };
     let picture = |object: Object| {
-        render(&request(scene(vec![object], lights.clone()), close_camera(7.0), [64, 64], trace.clone()), 0)
+        render(
+            &request(
+                scene(vec![object], lights.clone()),
+                close_camera(7.0),
+                [64, 64],
+                trace.clone(),
+            ),
+            0,
+        )
     };
     let (solid, mesh) = (picture(brilliant(DIAMOND)), picture(meshed(Transform::default())));
     let difference: f64 = solid
@@ -93,7 +103,8 @@ fn a_mesh_renders_as_its_solid() {
 fn no_interior_ray_is_lost_in_a_mesh() {
     let mut furnace = furnace();
     furnace.objects = vec![meshed(Transform::default())];
-    let still = render(&request(furnace, close_camera(7.0), [128, 128], TraceSettings::default()), 0);
+    let still =
+        render(&request(furnace, close_camera(7.0), [128, 128], TraceSettings::default()), 0);
     let ledger = still.statistics.ledger;
     assert!(ledger.lost / ledger.entered < 1e-6, "{ledger:?}");
     assert!(ledger.imbalance().abs() / ledger.entered < 1e-5, "{ledger:?}");

@@ -44,8 +44,7 @@ fn the_overlap_with_a_disc_matches_brute_force() {
         let mut ray = Ray::white(Vec3::ZERO, direction);
         ray.spread = sideways * radius * (1.5 * random());
         let cos_radius = f64::from(radius).cos();
-        let expected =
-            brute_force(&ray, |d| d.dot(center.as_dvec3().normalize()) >= cos_radius);
+        let expected = brute_force(&ray, |d| d.dot(center.as_dvec3().normalize()) >= cos_radius);
         let found = overlap_amount(&ray, &cone(center, radius));
         assert!((found - expected).abs() < 3e-3, "{found} {expected} {ray:?} {center} {radius}");
         partial += usize::from(found > 0.01 && found < 0.99);
@@ -85,7 +84,11 @@ fn the_solid_angle_is_that_of_the_paper() {
     // 2π(1 − √(1 − s²)) with s the sine of the radius; the sun's disc is 6.8e-5 sr.
     let sun: DiscLight = flat_disc(Vec3::Z, 0.2666, 1.0);
     assert!((sun.solid_angle_steradians() / 6.8e-5 - 1.0).abs() < 0.01);
-    assert!((flat_disc(Vec3::Z, 90.0, 1.0).solid_angle_steradians() / std::f32::consts::TAU - 1.0).abs() < 1e-6);
+    assert!(
+        (flat_disc(Vec3::Z, 90.0, 1.0).solid_angle_steradians() / std::f32::consts::TAU - 1.0)
+            .abs()
+            < 1e-6
+    );
 }
 
 #[test]
@@ -98,7 +101,9 @@ fn the_observers_head_is_dark_in_the_sky_and_the_backdrop_only_behind() {
     };
     let settings = TraceSettings::default();
     let mut ray = Ray::white(Vec3::ZERO, Vec3::Z);
-    let see = |lights: &Lights, ray: &Ray| trace_ray(&scene(Vec::new(), lights.clone()), &settings, ray).0[0];
+    let see = |lights: &Lights, ray: &Ray| {
+        trace_ray(&scene(Vec::new(), lights.clone()), &settings, ray).0[0]
+    };
     assert_eq!(see(&lights, &ray), 0.25, "a camera ray sees the backdrop");
     lights.backdrop = None;
     assert_eq!(see(&lights, &ray), 0.0, "towards the observer");

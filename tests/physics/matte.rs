@@ -13,11 +13,7 @@ use glam::{DVec3, Vec3};
 use crate::scenes::{block, flat_disc, flat_sky, mean, object, render, request, scene};
 
 fn floor(square: f32) -> Ground {
-    Ground {
-        height: 0.0,
-        square,
-        reflectance: [Spectrum::Flat(0.8), Spectrum::Flat(0.2)],
-    }
+    Ground { height: 0.0, square, reflectance: [Spectrum::Flat(0.8), Spectrum::Flat(0.2)] }
 }
 
 fn lit(lights: Lights, square: f32) -> Scene {
@@ -59,9 +55,14 @@ fn a_full_sky_makes_a_floor_as_bright_as_its_reflectance() {
 #[test]
 fn the_checker_alternates_in_both_directions_and_across_zero() {
     let lights = Lights { hemisphere: Some(flat_sky(1.0)), ..Lights::default() };
-    for (x, y, expected) in
-        [(1.0, 1.0, 0.8), (3.0, 1.0, 0.2), (1.0, 3.0, 0.2), (3.0, 3.0, 0.8), (-1.0, 1.0, 0.2), (-1.0, -1.0, 0.8)]
-    {
+    for (x, y, expected) in [
+        (1.0, 1.0, 0.8),
+        (3.0, 1.0, 0.2),
+        (1.0, 3.0, 0.2),
+        (3.0, 3.0, 0.8),
+        (-1.0, 1.0, 0.2),
+        (-1.0, -1.0, 0.8),
+    ] {
         let found = seen(lit(lights.clone(), 2.0), Vec3::new(x, y, 0.0), 1);
         assert!((found - expected).abs() < 1e-5, "({x}, {y}): {found}");
     }

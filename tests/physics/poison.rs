@@ -6,8 +6,17 @@ use glam::Vec3;
 
 use crate::scenes::{flat_disc, furnace, trace_ray};
 
-const POISON: [f32; 9] =
-    [0.0, -0.0, 1.0, -1.0, f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MIN_POSITIVE / 8.0, 1e30];
+const POISON: [f32; 9] = [
+    0.0,
+    -0.0,
+    1.0,
+    -1.0,
+    f32::NAN,
+    f32::INFINITY,
+    f32::NEG_INFINITY,
+    f32::MIN_POSITIVE / 8.0,
+    1e30,
+];
 
 #[test]
 fn poisoned_origins_and_directions_leave_finite_pixels() {

@@ -37,14 +37,16 @@ fn light_is_bent_by_the_textbook_angle() {
     let view = 30.0_f64.to_radians() + std::f64::consts::PI - incidence;
     let towards_light = view + deviation;
     let at = |angle: f64| Vec3::new(angle.cos() as f32, 0.0, angle.sin() as f32);
-    let lights = Lights { discs: vec![flat_disc(at(towards_light), 0.1, 1.0)], ..Lights::default() };
+    let lights =
+        Lights { discs: vec![flat_disc(at(towards_light), 0.1, 1.0)], ..Lights::default() };
     let face = at(30.0_f64.to_radians()) * 5.0;
     let camera = Camera {
         position: face - at(view) * 2.0,
         target: face,
         // Angles grow to the left of the picture.
         up: Vec3::Y,
-        fov_y_radians: 2.0 * ((FOV_DEGREES / 2.0).to_radians().tan() / f64::from(WIDTH)).atan() as f32,
+        fov_y_radians: 2.0
+            * ((FOV_DEGREES / 2.0).to_radians().tan() / f64::from(WIDTH)).atan() as f32,
     };
     let settings = TraceSettings { bins: 50, ..TraceSettings::default() };
     let prism = object(prism(60.0, 5.0), clear(FLINT));

@@ -5,7 +5,6 @@ use std::sync::atomic::AtomicBool;
 
 use brilliance_renderer::camera::Camera;
 use brilliance_renderer::cuts::RoundBrilliant;
-use brilliance_renderer::film::Film;
 use brilliance_renderer::kernel::ray::Ray;
 use brilliance_renderer::kernel::trace::{Pass, RayStack, Tally, trace};
 use brilliance_renderer::light::{DiscLight, Lights, SkyLight};
@@ -20,15 +19,15 @@ use brilliance_renderer::still::{Still, StillLimits};
 use glam::{DVec3, Vec3};
 
 /// Diamond by the paper's linear formula.
-pub const DIAMOND: Dispersion = Dispersion::Linear { n_d: 2.417, dispersion_bg: 0.044 };
+pub(crate) const DIAMOND: Dispersion = Dispersion::Linear { n_d: 2.417, dispersion_bg: 0.044 };
 /// A strongly dispersive flint glass by the paper's linear formula.
-pub const FLINT: Dispersion = Dispersion::Linear { n_d: 1.784, dispersion_bg: 0.055 };
+pub(crate) const FLINT: Dispersion = Dispersion::Linear { n_d: 1.784, dispersion_bg: 0.055 };
 
-pub fn flat_sky(radiance: f32) -> SkyLight {
+pub(crate) fn flat_sky(radiance: f32) -> SkyLight {
     SkyLight { radiance, spectrum: Spectrum::Flat(1.0) }
 }
 
-pub fn flat_disc(direction: Vec3, radius_degrees: f32, radiance: f32) -> DiscLight {
+pub(crate) fn flat_disc(direction: Vec3, radius_degrees: f32, radiance: f32) -> DiscLight {
     DiscLight {
         name: "disc".to_owned(),
         direction,
@@ -38,7 +37,7 @@ pub fn flat_disc(direction: Vec3, radius_degrees: f32, radiance: f32) -> DiscLig
     }
 }
 
-pub fn clear(dispersion: Dispersion) -> Material {
+pub(crate) fn clear(dispersion: Dispersion) -> Material {
     Material::Dielectric(Dielectric {
         name: "test".to_owned(),
         dispersion,
@@ -46,20 +45,20 @@ pub fn clear(dispersion: Dispersion) -> Material {
     })
 }
 
-pub fn object(shape: Shape, material: Material) -> Object {
+pub(crate) fn object(shape: Shape, material: Material) -> Object {
     Object { name: "test".to_owned(), shape, transform: Transform::default(), material }
 }
 
-pub fn brilliant(dispersion: Dispersion) -> Object {
+pub(crate) fn brilliant(dispersion: Dispersion) -> Object {
     object(Shape::RoundBrilliant(RoundBrilliant::default()), clear(dispersion))
 }
 
-pub fn half_space(normal: DVec3, distance: f64) -> HalfSpace {
+pub(crate) fn half_space(normal: DVec3, distance: f64) -> HalfSpace {
     HalfSpace { normal: normal.normalize(), distance, name: String::new() }
 }
 
 /// A block with the given half extents.
-pub fn block(half_extents: DVec3) -> Shape {
+pub(crate) fn block(half_extents: DVec3) -> Shape {
     let axes = [DVec3::X, DVec3::Y, DVec3::Z];
     Shape::Polyhedron(
         axes.iter()
@@ -72,7 +71,7 @@ pub fn block(half_extents: DVec3) -> Shape {
 }
 
 /// A prism whose edges run along y, with its apex of `apex_degrees` up and its base down.
-pub fn prism(apex_degrees: f64, size_mm: f64) -> Shape {
+pub(crate) fn prism(apex_degrees: f64, size_mm: f64) -> Shape {
     let tilt = (0.5 * apex_degrees).to_radians();
     Shape::Polyhedron(vec![
         half_space(DVec3::new(tilt.cos(), 0.0, tilt.sin()), size_mm),
@@ -83,33 +82,38 @@ pub fn prism(apex_degrees: f64, size_mm: f64) -> Shape {
     ])
 }
 
-pub fn scene(objects: Vec<Object>, lights: Lights) -> Scene {
+pub(crate) fn scene(objects: Vec<Object>, lights: Lights) -> Scene {
     Scene { objects, lights, ..Scene::default() }
 }
 
 /// A brilliant diamond in an environment of radiance 1.
-pub fn furnace() -> Scene {
+pub(crate) fn furnace() -> Scene {
     let lights = Lights { environment: Some(flat_sky(1.0)), ..Lights::default() };
     scene(vec![brilliant(DIAMOND)], lights)
 }
 
-pub fn request(scene: Scene, camera: Camera, size: [u32; 2], trace: TraceSettings) -> RenderRequest {
+pub(crate) fn request(
+    scene: Scene,
+    camera: Camera,
+    size: [u32; 2],
+    trace: TraceSettings,
+) -> RenderRequest {
     RenderRequest { scene: Arc::new(scene), camera, size, trace, pass_limit: 1 }
 }
 
-pub fn render(request: &RenderRequest, threads: usize) -> Still {
+pub(crate) fn render(request: &RenderRequest, threads: usize) -> Still {
     let limits = StillLimits { time: None, threads };
     Still::render(request, limits, &AtomicBool::new(false), |_, _| {}).expect("the scene renders")
 }
 
 /// The default camera with a field of view that `width_mm` fills at the stone.
-pub fn close_camera(width_mm: f32) -> Camera {
+pub(crate) fn close_camera(width_mm: f32) -> Camera {
     let camera = Camera::default();
     let distance = camera.position.distance(camera.target);
     Camera { fov_y_radians: 2.0 * (0.5 * width_mm / distance).atan(), ..camera }
 }
 
-pub fn pass(settings: &TraceSettings) -> Pass {
+pub(crate) fn pass(settings: &TraceSettings) -> Pass {
     Pass {
         index: 0,
         split_count: settings.split_count,
@@ -121,19 +125,14 @@ pub fn pass(settings: &TraceSettings) -> Pass {
 }
 
 /// Traces one ray; the radiance per bin and the tally.
-pub fn trace_ray(scene: &Scene, settings: &TraceSettings, ray: &Ray) -> (Vec<f32>, Tally) {
+pub(crate) fn trace_ray(scene: &Scene, settings: &TraceSettings, ray: &Ray) -> (Vec<f32>, Tally) {
     let bins = Bins::new(settings.bins);
     let packed = PackedScene::new(scene, bins).expect("the scene packs");
     let mut pixel = vec![0.0; bins.count()];
-    let tally =
-        trace(&packed, &pass(settings), ray, 1, &mut RayStack::new(), &mut pixel);
+    let tally = trace(&packed, &pass(settings), ray, 1, &mut RayStack::new(), &mut pixel);
     (pixel, tally)
 }
 
-pub fn mean(values: &[f32]) -> f64 {
+pub(crate) fn mean(values: &[f32]) -> f64 {
     values.iter().map(|&value| f64::from(value)).sum::<f64>() / values.len() as f64
-}
-
-pub fn is_finite(film: &Film) -> bool {
-    film.sums().iter().all(|sum| sum.is_finite() && *sum >= 0.0)
 }

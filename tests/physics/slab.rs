@@ -42,11 +42,8 @@ fn a_disc_behind_a_slab_keeps_its_shape_and_its_colour() {
         fov_y_radians: 4.0_f32.to_radians(),
         ..Camera::default()
     };
-    let settings = TraceSettings {
-        significance_threshold: 1e-6,
-        max_depth: 64,
-        ..TraceSettings::default()
-    };
+    let settings =
+        TraceSettings { significance_threshold: 1e-6, max_depth: 64, ..TraceSettings::default() };
     let size = [48, 48];
     let through = render(&request(with_slab(), camera, size, settings.clone()), 0).film;
     let bare = render(&request(scene(Vec::new(), lights()), camera, size, settings), 0).film;

@@ -38,9 +38,8 @@ fn the_whole_interval_perturbed_is_the_ray_itself() {
 #[test]
 fn parts_tile_the_fan_without_gap_or_overlap() {
     let ray = fan();
-    let parts: Vec<_> = (0..7)
-        .map(|i| perturb(&ray, 380.0 + 50.0 * i as f32, 430.0 + 50.0 * i as f32))
-        .collect();
+    let parts: Vec<_> =
+        (0..7).map(|i| perturb(&ray, 380.0 + 50.0 * i as f32, 430.0 + 50.0 * i as f32)).collect();
     for pair in parts.windows(2) {
         let end = direction_at(&pair[0], pair[0].lambda_high_nm);
         let start = direction_at(&pair[1], pair[1].lambda_low_nm);
@@ -64,9 +63,8 @@ fn an_interval_of_no_width_keeps_its_direction() {
 /// Greatest error in radians of `direction_at` within a fan of `width_nm` refracted into diamond.
 fn interpolation_error(width_nm: f32) -> f32 {
     let incident = Vec3::new(0.7, 0.0, -(1.0_f32 - 0.49).sqrt());
-    let exact = |lambda_nm: f32| {
-        refract(incident, Vec3::Z, 1.0 / DIAMOND.n(f64::from(lambda_nm)) as f32)
-    };
+    let exact =
+        |lambda_nm: f32| refract(incident, Vec3::Z, 1.0 / DIAMOND.n(f64::from(lambda_nm)) as f32);
     let (low, high) = (555.0 - 0.5 * width_nm, 555.0 + 0.5 * width_nm);
     let mut ray = Ray::white(Vec3::ZERO, exact(555.0));
     (ray.lambda_low_nm, ray.lambda_high_nm) = (low, high);

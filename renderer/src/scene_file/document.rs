@@ -4,16 +4,16 @@ use std::io::{Read, Write};
 use std::ops::RangeInclusive;
 use std::path::Path;
 
-use glam::Vec3;
-
-use super::format;
+use super::{format, gltf_scene};
 use crate::camera::Camera;
 use crate::cuts::RoundBrilliant;
 use crate::error::RendererError;
+use crate::image_file::{self, SCENE_KEYWORD};
 use crate::material::{Dielectric, Dispersion, Material};
 use crate::rigs;
 use crate::scene::{Object, Scene, Shape, Transform};
 use crate::settings::{DisplaySettings, TraceSettings};
+use crate::whole_file;
 
 /// Longest scene file that is read, in bytes.
 const MAX_BYTES: u64 = 16 << 20;
@@ -106,14 +106,18 @@ impl Document {
         match extension.as_ref().and_then(|extension| extension.to_str()) {
             Some("toml") => format::read(&text_of(path)?, base, overrides).map_err(fault),
             Some("gltf" | "glb") => {
-                let document = Self::around_meshes(path)?;
+                let document = gltf_scene::document(path)?;
                 if overrides.is_empty() {
                     return Ok(document);
                 }
                 let text = document.to_toml(base);
                 format::read(&text, base, overrides).map_err(fault)
             }
-            _ => Err(fault("unknown kind of file; a scene is .toml, a mesh .gltf or .glb".into())),
+            Some("png" | "exr") => format::read(&text_in_still(path)?, base, overrides).map_err(fault),
+            _ => Err(fault(
+                "unknown kind of file; a scene is .toml, a mesh .gltf or .glb, a still .png or .exr"
+                    .into(),
+            )),
         }
     }
 
@@ -135,50 +139,18 @@ impl Document {
     /// # Errors
     /// The file can't be written.
     pub fn save(&self, path: &Path) -> Result<(), RendererError> {
-        let io = |source| RendererError::Io { path: path.to_owned(), source };
-        let base = path.parent().unwrap_or(Path::new(""));
-        let folder = if base.as_os_str().is_empty() { Path::new(".") } else { base };
-        let mut builder = tempfile::Builder::new();
-        // A temporary file is private by default; a scene is an ordinary file.
-        #[cfg(unix)]
-        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-        let mut file = builder.tempfile_in(folder).map_err(io)?;
-        file.write_all(self.to_toml(base).as_bytes()).map_err(io)?;
-        file.persist(path).map_err(|error| io(error.error))?;
-        Ok(())
-    }
-
-    /// The meshes of a glTF file in the default lights, seen from the default side.
-    fn around_meshes(path: &Path) -> Result<Self, RendererError> {
-        let objects = crate::import::gltf::load(path)?;
-        let start = Self::default();
-        let camera = framing(&objects, start.scene.camera);
-        Ok(Self { scene: Scene { objects, camera, ..start.scene }, ..start })
+        let text = self.to_toml(path.parent().unwrap_or(Path::new("")));
+        whole_file::replace(path, |file| file.write_all(text.as_bytes()))
     }
 }
 
-/// `camera` moved along its view until the meshes fill the picture as the start stone does.
-fn framing(objects: &[Object], camera: Camera) -> Camera {
-    let points = || {
-        objects.iter().flat_map(|object| {
-            let positions = match &object.shape {
-                Shape::Mesh(source) => source.mesh.positions.as_slice(),
-                Shape::RoundBrilliant(_) | Shape::Polyhedron(_) => &[],
-            };
-            positions.iter().map(|&position| object.transform.point(position))
-        })
-    };
-    let low = points().fold(Vec3::INFINITY, Vec3::min);
-    let high = points().fold(Vec3::NEG_INFINITY, Vec3::max);
-    let centre = 0.5 * (low + high);
-    let radius = 0.5 * (high - low).length();
-    if !radius.is_finite() || radius <= 0.0 {
-        return camera;
-    }
-    let away = (camera.position - camera.target).normalize_or(Vec3::Z);
-    let start_radius = 0.5 * RoundBrilliant::default().diameter_mm;
-    let distance = camera.position.distance(camera.target) * radius / start_radius;
-    Camera { position: centre + away * distance, target: centre, ..camera }
+/// The scene file that a still made by this program carries.
+fn text_in_still(path: &Path) -> Result<String, RendererError> {
+    image_file::read_metadata(path)?.remove(SCENE_KEYWORD).ok_or_else(|| RendererError::File {
+        path: path.to_owned(),
+        message: "the picture carries no scene; only stills made by Brilliance can be opened"
+            .into(),
+    })
 }
 
 fn text_of(path: &Path) -> Result<String, RendererError> {

@@ -6,6 +6,8 @@ use std::path::{Component, Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use super::fault::Fault;
+use super::gltf_scene;
+use crate::import::gltf;
 use crate::material::Material;
 use crate::scene::{MeshSource, Object, Shape};
 
@@ -34,9 +36,8 @@ impl<'a> MeshFiles<'a> {
     pub(super) fn read(&mut self, entry: MeshEntry) -> Result<(MeshSource, Material), Fault> {
         let path = self.base.join(&entry.file);
         if !self.files.contains_key(&path) {
-            let objects = crate::import::gltf::load(&path)
-                .map_err(|error| Fault::at("file", error.to_string()))?;
-            self.files.insert(path.clone(), objects);
+            let gltf = gltf::load(&path).map_err(|error| Fault::at("file", error.to_string()))?;
+            self.files.insert(path.clone(), gltf_scene::objects(&path, &gltf));
         }
         let objects = self.files.get(&path).map_or(&[][..], Vec::as_slice);
         let found = objects.iter().find_map(|object| match &object.shape {

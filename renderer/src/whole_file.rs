@@ -8,7 +8,7 @@ use crate::error::RendererError;
 
 /// Writes a file under a temporary name in the folder of `path` and renames it to `path` when it is
 /// complete. If `write` fails, an old file stays as it was and nothing else is left behind.
-pub(super) fn replace(
+pub(crate) fn replace(
     path: &Path,
     write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>,
 ) -> Result<(), RendererError> {
