@@ -4,7 +4,6 @@
 
 mod openexr;
 mod png_file;
-pub(crate) mod replace;
 
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
@@ -12,6 +11,7 @@ use std::path::Path;
 
 use crate::error::RendererError;
 use crate::spectrum::Bins;
+use crate::whole_file;
 
 /// The metadata keyword of the scene file that made the picture.
 pub const SCENE_KEYWORD: &str = "brilliance-scene";
@@ -56,7 +56,7 @@ pub fn write_png8(
     metadata: &[(&str, &str)],
 ) -> Result<(), RendererError> {
     check_count(size, 4, rgba8.len())?;
-    replace::replace(path, |file| png_file::write_rgba8(file, size, rgba8, metadata))
+    whole_file::replace(path, |file| png_file::write_rgba8(file, size, rgba8, metadata))
 }
 
 /// Writes an sRGB PNG of 16 bits per channel. `rgb16` holds red, green and blue of each pixel, row
@@ -71,7 +71,7 @@ pub fn write_png16(
     metadata: &[(&str, &str)],
 ) -> Result<(), RendererError> {
     check_count(size, 3, rgb16.len())?;
-    replace::replace(path, |file| png_file::write_rgb16(file, size, rgb16, metadata))
+    whole_file::replace(path, |file| png_file::write_rgb16(file, size, rgb16, metadata))
 }
 
 /// Writes an OpenEXR file of 32-bit floats: linear Rec. 709 `R`, `G`, `B` and, with `spectral`, one
@@ -96,7 +96,7 @@ pub fn write_exr(
     if let Some((bins, means)) = spectral {
         check_count(size, bins.count(), means.len())?;
     }
-    replace::replace(path, |file| openexr::write(file, size, linear_rgb, spectral, metadata))
+    whole_file::replace(path, |file| openexr::write(file, size, linear_rgb, spectral, metadata))
 }
 
 /// Reads the texts of a PNG or OpenEXR file by keyword; [`SCENE_KEYWORD`] holds the scene.

@@ -5,18 +5,16 @@ use std::io::{Read, Write};
 use std::ops::RangeInclusive;
 use std::path::Path;
 
-use glam::Vec3;
-
-use super::format;
+use super::{format, gltf_scene};
 use crate::camera::Camera;
 use crate::cuts::RoundBrilliant;
 use crate::error::RendererError;
-use crate::image_file::replace::replace;
-use crate::import::gltf::{self, GltfObject};
+use crate::image_file::{self, SCENE_KEYWORD};
 use crate::material::{Dielectric, Dispersion, Material};
 use crate::rigs;
-use crate::scene::{MeshSource, Object, Scene, Shape, Transform};
+use crate::scene::{Object, Scene, Shape, Transform};
 use crate::settings::{DisplaySettings, TraceSettings};
+use crate::whole_file;
 
 /// Longest scene file that is read, in bytes.
 const MAX_BYTES: u64 = 16 << 20;
@@ -87,8 +85,8 @@ impl Default for Document {
 }
 
 impl Document {
-    /// Reads a scene file (`.toml`) or a mesh (`.gltf`, `.glb`), which is placed in the default
-    /// lights.
+    /// Reads a scene file (`.toml`), the scene of a still (`.png`, `.exr`), or a mesh (`.gltf`,
+    /// `.glb`), which is placed in the default lights where it has none.
     ///
     /// # Errors
     /// Names the file, the place, the key and the remedy.
@@ -109,14 +107,18 @@ impl Document {
         match extension.as_ref().and_then(|extension| extension.to_str()) {
             Some("toml") => format::read(&text_of(path)?, base, overrides).map_err(fault),
             Some("gltf" | "glb") => {
-                let document = Self::around_meshes(path)?;
+                let document = gltf_scene::document(path)?;
                 if overrides.is_empty() {
                     return Ok(document);
                 }
                 let text = document.to_toml(base);
                 format::read(&text, base, overrides).map_err(fault)
             }
-            _ => Err(fault("unknown kind of file; a scene is .toml, a mesh .gltf or .glb".into())),
+            Some("png" | "exr") => format::read(&text_in_still(path)?, base, overrides).map_err(fault),
+            _ => Err(fault(
+                "unknown kind of file; a scene is .toml, a mesh .gltf or .glb, a still .png or .exr"
+                    .into(),
+            )),
         }
     }
 
@@ -138,48 +140,18 @@ impl Document {
     /// # Errors
     /// The file can't be written.
     pub fn save(&self, path: &Path) -> Result<(), RendererError> {
-        let base = path.parent().unwrap_or(Path::new(""));
-        replace(path, |file| file.write_all(self.to_toml(base).as_bytes()))
-    }
-
-    /// The meshes of a glTF file, with its first camera and its lights; where it has none, the
-    /// default lights, seen from the default side.
-    fn around_meshes(path: &Path) -> Result<Self, RendererError> {
-        let file = gltf::load(path)?;
-        let mut document = Self::default();
-        let scene = &mut document.scene;
-        let camera = file.cameras.first().copied();
-        scene.camera = camera.unwrap_or_else(|| framing(&file.objects, scene.camera));
-        if !file.lights.is_empty() {
-            scene.lights.discs = file.lights;
-        }
-        let object = |(index, object): (usize, GltfObject)| Object {
-            name: object.name,
-            shape: Shape::Mesh(MeshSource { path: path.to_owned(), index, mesh: object.mesh }),
-            transform: Transform::default(),
-            material: object.material,
-        };
-        scene.objects = file.objects.into_iter().enumerate().map(object).collect();
-        Ok(document)
+        let text = self.to_toml(path.parent().unwrap_or(Path::new("")));
+        whole_file::replace(path, |file| file.write_all(text.as_bytes()))
     }
 }
 
-/// `camera` moved along its view until the meshes fill the picture as the start stone does.
-fn framing(objects: &[GltfObject], camera: Camera) -> Camera {
-    let nothing = (Vec3::INFINITY, Vec3::NEG_INFINITY);
-    let (low, high) = objects.iter().fold(nothing, |(low, high), object| {
-        let bounds = object.mesh.bounds();
-        (low.min(bounds.0), high.max(bounds.1))
-    });
-    let centre = 0.5 * (low + high);
-    let radius = 0.5 * (high - low).length();
-    if !radius.is_finite() || radius <= 0.0 {
-        return camera;
-    }
-    let away = (camera.position - camera.target).normalize_or(Vec3::Z);
-    let start_radius = 0.5 * RoundBrilliant::default().diameter_mm;
-    let distance = camera.position.distance(camera.target) * radius / start_radius;
-    Camera { position: centre + away * distance, target: centre, ..camera }
+/// The scene file that a still made by this program carries.
+fn text_in_still(path: &Path) -> Result<String, RendererError> {
+    image_file::read_metadata(path)?.remove(SCENE_KEYWORD).ok_or_else(|| RendererError::File {
+        path: path.to_owned(),
+        message: "the picture carries no scene; only stills made by Brilliance can be opened"
+            .into(),
+    })
 }
 
 fn text_of(path: &Path) -> Result<String, RendererError> {

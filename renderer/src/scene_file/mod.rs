@@ -11,6 +11,7 @@ mod deserialize;
 mod document;
 mod fault;
 mod format;
+mod gltf_scene;
 mod light;
 mod material;
 mod mesh_file;
