@@ -6,8 +6,11 @@ mod weld;
 
 pub use edges::MeshFault;
 
+use std::sync::OnceLock;
+
 use glam::Vec3;
 
+use crate::accel::MeshHierarchy;
 use crate::error::RendererError;
 use crate::solid::Solid;
 use edges::Edges;
@@ -23,6 +26,7 @@ pub struct Mesh {
     /// by edges share a number, so that a ray that leaves one need not be tested against the others.
     pub facet: Vec<u32>,
     fault: Option<MeshFault>,
+    hierarchy: OnceLock<MeshHierarchy>,
 }
 
 impl Mesh {
@@ -64,6 +68,11 @@ impl Mesh {
     /// What is wrong, and where it was first seen.
     pub fn closed(&self) -> Result<(), MeshFault> {
         self.fault.clone().map_or(Ok(()), Err)
+    }
+
+    /// The bounding volume hierarchy of the triangles, built when first asked for.
+    pub fn hierarchy(&self) -> &MeshHierarchy {
+        self.hierarchy.get_or_init(|| MeshHierarchy::new(self))
     }
 
     /// Lowest and highest coordinates.
@@ -110,7 +119,7 @@ impl Mesh {
                     .to_owned(),
             ));
         }
-        Ok(Self { positions, triangles, facet, fault: None })
+        Ok(Self { positions, triangles, facet, fault: None, hierarchy: OnceLock::new() })
     }
 
     /// Records whether the mesh is closed and, if it is, turns it outside out.
