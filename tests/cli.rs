@@ -160,9 +160,11 @@ fn a_film_beyond_memory_is_refused_with_the_remedy() {
 #[test]
 fn an_unknown_key_of_set_is_named() {
     let folder = folder_with_scene();
-    let output =
-        brilliance(folder.path(), &["render", "stone.toml", "--set", "no.such=1", "-o", "a.png"]);
-    assert_failed(&output, &["no"]);
+    let output = brilliance(
+        folder.path(),
+        &["render", "stone.toml", "--set", "nonsense.key=1", "-o", "a.png"],
+    );
+    assert_failed(&output, &["nonsense"]);
     assert_eq!(names(folder.path()), [Path::new("stone.toml")]);
 }
 

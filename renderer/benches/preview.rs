@@ -6,6 +6,7 @@ use std::sync::{Arc, mpsc};
 use std::time::{Duration, Instant};
 
 use brilliance_renderer::camera::Camera;
+use brilliance_renderer::error::RendererError;
 use brilliance_renderer::scene::Scene;
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::session::{Picture, RenderRequest, Session};
@@ -19,13 +20,14 @@ const STEP_DEGREES: f32 = 1.0;
 /// A session that shows nothing for so long will never.
 const PATIENCE: Duration = Duration::from_secs(20);
 
-fn main() {
-    let mut orbit = Orbit::start();
+fn main() -> Result<(), RendererError> {
+    let mut orbit = Orbit::start()?;
     orbit.run(WARM_UP);
     match orbit.run(TIME) {
         Some(frames) => frames.print(),
         None => println!("preview: no picture came within {} s", PATIENCE.as_secs()),
     }
+    Ok(())
 }
 
 /// A session and the camera that goes round in it.
@@ -40,15 +42,15 @@ struct Orbit {
 }
 
 impl Orbit {
-    fn start() -> Self {
+    fn start() -> Result<Self, RendererError> {
         let document = Document::default();
         let (sender, updates) = mpsc::channel();
         let mut session = Session::new(move || {
             // Nobody listens any more when the benchmark is over.
             let _ = sender.send(());
-        });
+        })?;
         session.display(document.display);
-        Self {
+        Ok(Self {
             session,
             updates,
             camera: document.scene.camera,
@@ -56,7 +58,7 @@ impl Orbit {
             trace: document.trace,
             pass_limit: document.still.passes,
             last_serial: None,
-        }
+        })
     }
 
     /// Orbits for this long; `None` if a picture fails to come.

@@ -3,7 +3,6 @@
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::thread::available_parallelism;
 
 use anyhow::{anyhow, bail, ensure};
 use brilliance_renderer::error::RendererError;
@@ -18,6 +17,9 @@ use super::report::Report;
 /// Largest film in bytes: 8192×8192 pixels of 16 bins.
 const MAX_FILM_BYTES: u64 = 4 << 30;
 
+/// What [`StillLimits::threads`] takes for one thread per processor.
+const ALL_THREADS: usize = 0;
+
 /// Renders, writes the picture and the statistics, and says what was done.
 pub(super) fn render(arguments: &RenderArguments) -> anyhow::Result<()> {
     let format = arguments.format().map_err(|fault| anyhow!(fault))?;
@@ -27,16 +29,12 @@ pub(super) fn render(arguments: &RenderArguments) -> anyhow::Result<()> {
 
     let document = open(arguments)?;
     check_film(&document)?;
-    let threads = match arguments.threads {
-        Some(threads) => threads,
-        None => available_parallelism()?.get(),
-    };
-
+    let threads = arguments.threads.unwrap_or(ALL_THREADS);
     let still = trace(&document, StillLimits { time: arguments.time, threads })?;
     let base = folder_of(&arguments.output);
     still.write(&arguments.output, format, &document.display, &document.to_toml(base))?;
 
-    let report = Report::new(arguments, &document, &still, threads);
+    let report = Report::new(arguments, &document, &still);
     if let Some(path) = &arguments.stats {
         report.write(path)?;
     }

@@ -42,16 +42,11 @@ pub(super) struct Report {
 
 impl Report {
     /// Puts together what is known after the render.
-    pub(super) fn new(
-        arguments: &RenderArguments,
-        document: &Document,
-        still: &Still,
-        threads: usize,
-    ) -> Self {
+    pub(super) fn new(arguments: &RenderArguments, document: &Document, still: &Still) -> Self {
         Self {
             version: env!("CARGO_PKG_VERSION"),
             backend: "cpu",
-            threads,
+            threads: still.threads,
             scene: arguments.scene.display().to_string(),
             output: arguments.output.display().to_string(),
             size: document.still.size,

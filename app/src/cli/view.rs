@@ -16,8 +16,7 @@ pub(super) fn view(file: Option<PathBuf>) -> anyhow::Result<()> {
     if display_is_missing() {
         bail!("there is no display to open a window on; {RENDER_WITHOUT}");
     }
-    open_window(document, file)
-        .map_err(|error| anyhow!("the window can't be opened ({error}); {RENDER_WITHOUT}"))
+    open_window(document, file).map_err(|error| anyhow!("{error}; {RENDER_WITHOUT}"))
 }
 
 /// Whether this is a system whose windows need a display server, and none is named.
@@ -29,5 +28,5 @@ fn display_is_missing() -> bool {
 
 /// The one place where the command line meets the window.
 fn open_window(_document: Document, _file: Option<PathBuf>) -> anyhow::Result<()> {
-    bail!("this build has no window")
+    bail!("the window can't be opened: this build has none")
 }
