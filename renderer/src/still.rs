@@ -15,6 +15,9 @@ use crate::spectrum::Bins;
 use crate::statistics::Statistics;
 use crate::tracer::{CpuTracer, View};
 
+/// What a still says of its maker.
+const SOFTWARE: &str = concat!("Brilliance ", env!("CARGO_PKG_VERSION"));
+
 /// How a still is ended early, and with how many threads it is traced.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct StillLimits {
@@ -37,9 +40,6 @@ pub enum StillFormat {
         spectral: bool,
     },
 }
-
-/// Key under which a still carries its scene file.
-pub const SCENE_METADATA_KEY: &str = "brilliance.scene";
 
 /// A finished still.
 #[derive(Debug)]
@@ -115,7 +115,7 @@ impl Still {
         scene_toml: &str,
     ) -> Result<(), RendererError> {
         let image = XyzImage::from_film(&self.film);
-        let metadata = [(SCENE_METADATA_KEY, scene_toml)];
+        let metadata = [(image_file::SCENE_KEYWORD, scene_toml), ("Software", SOFTWARE)];
         let size = self.film.size();
         match format {
             StillFormat::Png8 => {
