@@ -10,7 +10,7 @@ use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::session::RenderRequest;
 use brilliance_renderer::still::{Still, StillLimits};
 
-const SIZE: [u32; 2] = [640, 400];
+const SIZE: [u32; 2] = [320, 200];
 const WARM_UP: Duration = Duration::from_millis(500);
 const TIME: Duration = Duration::from_secs(3);
 
@@ -29,12 +29,12 @@ fn main() -> Result<(), RendererError> {
         let per_second = |count: u64| count as f64 / still.tracing_seconds / 1e6;
         println!(
             "tracing, {threads} thread(s): {:.2} M ray segments/s, {:.3} M camera rays/s \
-             ({}x{} pixels, {} passes in {:.2} s, {:.1} segments per camera ray, at most {})",
+             ({} passes of {}x{} pixels in {:.2} s, {:.1} segments per camera ray, at most {})",
             per_second(still.statistics.segments),
             per_second(still.statistics.camera_rays),
+            still.passes,
             SIZE[0],
             SIZE[1],
-            still.passes,
             still.tracing_seconds,
             still.statistics.mean_segments_per_camera_ray(),
             still.statistics.max_segments_per_camera_ray,

@@ -1,11 +1,13 @@
 //! What can be asked of the program, and which askings make no sense.
 
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use brilliance_renderer::scene_file::StillSettings;
 use brilliance_renderer::settings::TraceSettings;
 use brilliance_renderer::still::StillFormat;
-use clap::builder::RangedU64ValueParser;
+use clap::builder::{RangedI64ValueParser, RangedU64ValueParser};
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory as _, Parser, Subcommand, value_parser};
 
@@ -13,8 +15,6 @@ use super::assignment::Assignment;
 use super::image_size::ImageSize;
 use super::picture_format::{BitDepth, picture_format};
 
-/// Most passes of one still: far beyond what any picture needs, and still exact in an `f32`.
-const MAX_PASSES: i64 = 1_000_000;
 /// Most threads worth asking for.
 const MAX_THREADS: u64 = 1024;
 
@@ -51,7 +51,7 @@ pub(super) struct RenderArguments {
     pub(super) size: Option<ImageSize>,
 
     /// Passes, each of one camera ray per pixel [default: the scene's]
-    #[arg(long, value_name = "N", value_parser = value_parser!(u32).range(1..=MAX_PASSES))]
+    #[arg(long, value_name = "N", value_parser = within(StillSettings::PASSES))]
     pub(super) passes: Option<u32>,
 
     /// Stop after this many seconds of tracing, even if passes remain (one is always traced)
@@ -64,7 +64,7 @@ pub(super) struct RenderArguments {
     pub(super) threads: Option<usize>,
 
     /// Spectral bins of the film [default: the scene's]
-    #[arg(long, value_name = "N", value_parser = bins_parser())]
+    #[arg(long, value_name = "N", value_parser = within(TraceSettings::BINS))]
     pub(super) bins: Option<u32>,
 
     /// Change a value of the scene, named by its path in the scene file; may be repeated
@@ -144,8 +144,8 @@ impl RenderArguments {
     }
 }
 
-fn bins_parser() -> clap::builder::RangedI64ValueParser<u32> {
-    let allowed = TraceSettings::BINS;
+/// A whole number in `allowed`.
+fn within(allowed: RangeInclusive<u32>) -> RangedI64ValueParser<u32> {
     value_parser!(u32).range(i64::from(*allowed.start())..=i64::from(*allowed.end()))
 }
 

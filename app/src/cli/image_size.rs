@@ -2,10 +2,9 @@
 
 use std::str::FromStr;
 
-/// Longest side of a picture in pixels.
-const MAX_SIDE: u32 = 16_384;
+use brilliance_renderer::scene_file::StillSettings;
 
-/// Width and height in pixels, each in 1..=16384.
+/// Width and height in pixels, within what a still allows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct ImageSize(pub(super) [u32; 2]);
 
@@ -16,15 +15,21 @@ impl FromStr for ImageSize {
         let (width, height) = text
             .split_once(['x', 'X', '×'])
             .ok_or("give width and height in pixels with an x between, such as 1280x800")?;
-        Ok(Self([parse_side("width", width)?, parse_side("height", height)?]))
+        let size = [parse_side("width", width)?, parse_side("height", height)?];
+        let most = StillSettings::MAX_PIXELS;
+        if size.map(u64::from).iter().product::<u64>() > most {
+            return Err(format!("these are more than the {most} pixels a picture may have"));
+        }
+        Ok(Self(size))
     }
 }
 
 fn parse_side(name: &str, text: &str) -> Result<u32, String> {
-    text.parse()
-        .ok()
-        .filter(|side| (1..=MAX_SIDE).contains(side))
-        .ok_or_else(|| format!("the {name} must be a whole number of pixels from 1 to {MAX_SIDE}"))
+    let allowed = StillSettings::SIDE;
+    text.parse().ok().filter(|side| allowed.contains(side)).ok_or_else(|| {
+        let (least, most) = allowed.into_inner();
+        format!("the {name} must be a whole number of pixels from {least} to {most}")
+    })
 }
 
 #[cfg(test)]
@@ -47,6 +52,7 @@ mod tests {
             ("-1x10", "width"),
             ("1e2x10", "width"),
             ("1x2x3", "height"),
+            ("16384x16384", "67108864 pixels"),
         ] {
             let fault = text.parse::<ImageSize>().unwrap_err();
             assert!(fault.contains(word), "{text}: {fault}");

@@ -4,11 +4,12 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use anyhow::{anyhow, bail, ensure};
+use anyhow::{anyhow, ensure};
 use brilliance_renderer::error::RendererError;
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::session::RenderRequest;
 use brilliance_renderer::still::{Still, StillLimits};
+use brilliance_renderer::whole_file;
 
 use super::arguments::RenderArguments;
 use super::progress::Progress;
@@ -24,14 +25,15 @@ const ALL_THREADS: usize = 0;
 pub(super) fn render(arguments: &RenderArguments) -> anyhow::Result<()> {
     let format = arguments.format().map_err(|fault| anyhow!(fault))?;
     // A mistyped folder should be told now, not after an hour of tracing.
-    check_writable(&arguments.output)?;
-    arguments.stats.as_deref().map_or(Ok(()), check_writable)?;
+    for path in [Some(&arguments.output), arguments.stats.as_ref()].into_iter().flatten() {
+        whole_file::check(path)?;
+    }
 
     let document = open(arguments)?;
     check_film(&document)?;
     let threads = arguments.threads.unwrap_or(ALL_THREADS);
     let still = trace(&document, StillLimits { time: arguments.time, threads })?;
-    let base = folder_of(&arguments.output);
+    let base = arguments.output.parent().unwrap_or(Path::new(""));
     still.write(&arguments.output, format, &document.display, &document.to_toml(base))?;
 
     let report = Report::new(arguments, &document, &still);
@@ -98,22 +100,4 @@ fn check_film(document: &Document) -> anyhow::Result<()> {
         MAX_FILM_BYTES >> 30,
     );
     Ok(())
-}
-
-/// Refuses a file that can't be written for want of a folder, or because it is one.
-fn check_writable(path: &Path) -> anyhow::Result<()> {
-    let folder = folder_of(path);
-    if !folder.is_dir() {
-        bail!("{}: there is no folder {}; make it first", path.display(), folder.display());
-    }
-    ensure!(!path.is_dir(), "{}: this is a folder; name a file in it", path.display());
-    Ok(())
-}
-
-/// The folder a file of this name lies in.
-pub(super) fn folder_of(path: &Path) -> &Path {
-    match path.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    }
 }

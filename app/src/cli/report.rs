@@ -3,14 +3,14 @@
 use std::io::Write as _;
 use std::path::Path;
 
-use anyhow::{Context as _, anyhow};
+use anyhow::Context as _;
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::statistics::Statistics;
 use brilliance_renderer::still::Still;
+use brilliance_renderer::whole_file;
 use serde::Serialize;
 
 use super::arguments::RenderArguments;
-use super::render::folder_of;
 
 /// What a render did.
 #[derive(Debug, Serialize)]
@@ -62,7 +62,7 @@ impl Report {
     /// Writes the report as JSON by way of a temporary file.
     pub(super) fn write(&self, path: &Path) -> anyhow::Result<()> {
         let json = serde_json::to_string_pretty(self)?;
-        write_text(path, &json).map_err(|error| anyhow!("{}: {error}", path.display()))
+        Ok(whole_file::replace(path, |file| writeln!(file, "{json}"))?)
     }
 
     /// Says on the standard output what was done.
@@ -105,17 +105,6 @@ fn with_prefix(count: f64) -> String {
         _ => 2,
     };
     format!("{value:.decimals$}{prefix}")
-}
-
-fn write_text(path: &Path, text: &str) -> std::io::Result<()> {
-    let mut builder = tempfile::Builder::new();
-    // A temporary file is private; this one is to become an ordinary file under the user's umask.
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let mut file = builder.tempfile_in(folder_of(path))?;
-    writeln!(file, "{text}")?;
-    file.persist(path)?;
-    Ok(())
 }
 
 #[cfg(test)]
