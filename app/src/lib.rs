@@ -1,1 +1,3 @@
-//! x
+//! Brilliance, a viewer of gemstones: the window and the command line.
+
+pub mod cli;

@@ -1,2 +1,7 @@
-//! x
-fn main() {}
+//! The `brilliance` program; what it does is in [`brilliance::cli`].
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    brilliance::cli::run()
+}

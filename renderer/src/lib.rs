@@ -25,4 +25,4 @@ pub mod spectrum;
 pub mod statistics;
 pub mod still;
 pub mod tracer;
-mod whole_file;
+pub mod whole_file;

@@ -4,27 +4,53 @@ use std::fs::File;
 use std::io::{self, BufWriter, ErrorKind};
 use std::path::Path;
 
+use tempfile::NamedTempFile;
+
 use crate::error::RendererError;
 
 /// Writes a file under a temporary name in the folder of `path` and renames it to `path` when it is
 /// complete. If `write` fails, an old file stays as it was and nothing else is left behind.
-pub(crate) fn replace(
+///
+/// # Errors
+/// The file can't be written.
+pub fn replace(
     path: &Path,
     write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>,
 ) -> Result<(), RendererError> {
-    let folder = match path.parent() {
+    write_and_rename(path, write).map_err(|source| in_words(path, source))
+}
+
+/// Finds out whether [`replace`] can begin at `path`, to be told before long work rather than
+/// after it. Leaves nothing behind.
+///
+/// # Errors
+/// No file can be created there.
+pub fn check(path: &Path) -> Result<(), RendererError> {
+    create(path).map(drop).map_err(|source| in_words(path, source))
+}
+
+/// The folder in which `path` names a file; `.` for a bare name.
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
-    };
-    let result = write_and_rename(path, folder, write);
-    result.map_err(|source| in_words(path, folder, source))
+    }
 }
 
 fn write_and_rename(
     path: &Path,
-    folder: &Path,
     write: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>,
 ) -> io::Result<()> {
+    let mut temporary = create(path)?;
+    let mut buffered = BufWriter::new(temporary.as_file_mut());
+    write(&mut buffered)?;
+    buffered.into_inner()?.sync_all()?;
+    temporary.persist(path)?;
+    Ok(())
+}
+
+/// A temporary file that can become `path`.
+fn create(path: &Path) -> io::Result<NamedTempFile> {
     if path.is_dir() {
         return Err(ErrorKind::IsADirectory.into());
     }
@@ -36,17 +62,12 @@ fn write_and_rename(
         use std::os::unix::fs::PermissionsExt;
         builder.permissions(std::fs::Permissions::from_mode(0o666));
     }
-    let mut temporary = builder.tempfile_in(folder)?;
-    let mut buffered = BufWriter::new(temporary.as_file_mut());
-    write(&mut buffered)?;
-    buffered.into_inner()?.sync_all()?;
-    temporary.persist(path)?;
-    Ok(())
+    builder.tempfile_in(folder_of(path))
 }
 
 /// The error with its remedy, where there is one.
-fn in_words(path: &Path, folder: &Path, source: io::Error) -> RendererError {
-    let folder = folder.display();
+fn in_words(path: &Path, source: io::Error) -> RendererError {
+    let folder = folder_of(path).display();
     let message = match source.kind() {
         ErrorKind::NotFound => {
             format!("the folder {folder} does not exist; create it or choose another")

@@ -3,7 +3,7 @@
 use gltf::json;
 
 use crate::material::{Dielectric, Diffuse, Dispersion, Material};
-use crate::spectrum::Spectrum;
+use crate::spectrum::{Bins, Spectrum};
 
 /// The Fraunhofer lines of the Abbe number, in nm.
 const LAMBDA_F_NM: f64 = 486.1327;
@@ -92,22 +92,25 @@ fn dispersion(ior: f64, strength: f64) -> Result<Dispersion, String> {
     }
 }
 
-/// α(λ) = −ln(colour)/distance (Beer–Lambert, `KHR_materials_volume`), per millimetre.
-///
-/// The three channels hold over the bands in which the primaries of sRGB lie, joined by straight
-/// lines, so that a grey is exactly neutral at any depth.
+/// α(λ) = −ln T(λ)/distance (Beer–Lambert, `KHR_materials_volume`), per millimetre, where T is the
+/// smooth transmittance that has the attenuation colour: white light is left with exactly that
+/// colour after the attenuation distance.
 fn absorption(colour: [f32; 3], distance: f32) -> Result<Option<Spectrum>, String> {
-    /// Darkest channel: −ln of it stands for black.
+    /// Least transmittance told from black, whose logarithm is infinite.
     const BLACK: f32 = 1e-4;
     if distance.is_nan() || distance <= 0.0 {
         return Err(format!(
             "the attenuation distance {distance} is impossible; choose one above 0"
         ));
     }
-    let [r, g, b] = colour.map(|channel| -channel.max(BLACK).ln() / distance);
-    let is_clear = [r, g, b].iter().all(|alpha| *alpha <= 0.0);
-    Ok((!is_clear).then(|| Spectrum::Tabulated {
-        lambda_nm: vec![470.0, 510.0, 565.0, 605.0],
-        value: vec![b, g, g, r],
+    if colour == [1.0; 3] || distance.is_infinite() {
+        return Ok(None);
+    }
+    // Every 5 nm, where a smooth spectrum is as good as straight lines.
+    let samples = Bins::new(70);
+    let transmittance = Spectrum::Rgb(colour).bin_means(samples);
+    Ok(Some(Spectrum::Tabulated {
+        lambda_nm: (0..samples.count()).map(|i| samples.centre_nm(i) as f32).collect(),
+        value: transmittance.iter().map(|t| -t.clamp(BLACK, 1.0).ln() / distance).collect(),
     }))
 }

@@ -70,8 +70,17 @@ pub struct GltfObject {
 pub fn load(path: &Path) -> Result<GltfScene, RendererError> {
     let file = container::read_file(path)
         .map_err(|source| RendererError::Io { path: path.to_owned(), source })?;
+    load_from_memory(path, &file)
+}
+
+/// Reads a file that is in memory already. `path` names it in errors and is where the buffers are
+/// looked for that are not in the file itself.
+///
+/// # Errors
+/// As [`load`].
+pub fn load_from_memory(path: &Path, file: &[u8]) -> Result<GltfScene, RendererError> {
     let folder = path.parent().unwrap_or(Path::new(""));
-    read(&file, folder).map_err(|message| RendererError::File { path: path.to_owned(), message })
+    read(file, folder).map_err(|message| RendererError::File { path: path.to_owned(), message })
 }
 
 fn read(file: &[u8], folder: &Path) -> Result<GltfScene, String> {
