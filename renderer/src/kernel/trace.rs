@@ -57,6 +57,7 @@ pub struct RayStack {
 
 impl RayStack {
     /// An empty stack.
+    #[expect(clippy::large_stack_arrays, reason = "20 kB, once per worker")]
     pub fn new() -> Self {
         Self { rays: [Ray::white(Vec3::ZERO, Vec3::Z); STACK_LEN], count: 0 }
     }

@@ -1,0 +1,173 @@
+//! The session: the newest request wins, display settings do not retrace, stills can be cancelled.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Condvar, Mutex};
+use std::time::Duration;
+
+use brilliance_renderer::error::RendererError;
+use brilliance_renderer::scene_file::Document;
+use brilliance_renderer::session::{Activity, Picture, Progress, RenderRequest, Session};
+use brilliance_renderer::settings::{DisplaySettings, ToneCurve};
+use brilliance_renderer::still::{Still, StillLimits};
+
+/// Far beyond what any of this takes; only a hang reaches it.
+const PATIENCE: Duration = Duration::from_mins(2);
+
+/// A session and a bell that it rings at every update.
+struct Watched {
+    session: Session,
+    bell: Arc<(Mutex<u64>, Condvar)>,
+}
+
+impl Watched {
+    fn new() -> Self {
+        let bell = Arc::new((Mutex::new(0), Condvar::new()));
+        let ringer = Arc::clone(&bell);
+        let session = Session::new(move || {
+            *ringer.0.lock().expect("nobody panics with the bell") += 1;
+            ringer.1.notify_all();
+        })
+        .expect("threads can be started");
+        Self { session, bell }
+    }
+
+    /// Waits until `is_there` holds.
+    fn wait(&self, is_there: impl Fn(&Session) -> bool) {
+        let mut rings = self.bell.0.lock().expect("nobody panics with the bell");
+        while !is_there(&self.session) {
+            let (next, timeout) =
+                self.bell.1.wait_timeout(rings, PATIENCE).expect("nobody panics with the bell");
+            assert!(!timeout.timed_out(), "no update: {:?}", self.session.progress());
+            rings = next;
+        }
+    }
+
+    fn wait_for_done(&self, size: [u32; 2]) -> (Arc<Picture>, Progress) {
+        let is_shown = |session: &Session| session.picture().is_some_and(|p| p.size == size);
+        self.wait(|session| {
+            let progress = session.progress();
+            progress.activity == Activity::Done && progress.size == size && is_shown(session)
+        });
+        (self.session.picture().expect("it is there"), self.session.progress())
+    }
+}
+
+fn request(size: [u32; 2], passes: u32) -> RenderRequest {
+    let document = Document::default();
+    RenderRequest {
+        camera: document.scene.camera,
+        scene: Arc::new(document.scene),
+        size,
+        trace: document.trace,
+        pass_limit: passes,
+    }
+}
+
+#[test]
+fn a_request_is_traced_to_its_pass_limit_and_shown() {
+    let mut watched = Watched::new();
+    watched.session.request(request([48, 32], 3));
+    let (picture, progress) = watched.wait_for_done([48, 32]);
+    assert_eq!((progress.passes, progress.pass_limit), (3, 3));
+    assert_eq!(progress.statistics.camera_rays, 3 * 48 * 32);
+    assert_eq!(picture.rgba8.len(), 48 * 32 * 4);
+    let shades: std::collections::BTreeSet<_> = picture.rgba8.chunks(4).collect();
+    assert!(shades.len() > 50, "a diamond has more than {} colours", shades.len());
+}
+
+#[test]
+fn an_equal_request_is_no_new_one() {
+    let mut watched = Watched::new();
+    watched.session.request(request([16, 16], 1));
+    watched.session.request(request([16, 16], 1));
+    assert_eq!(watched.session.requests_made(), 1);
+    watched.session.request(request([16, 16], 2));
+    assert_eq!(watched.session.requests_made(), 2);
+}
+
+#[test]
+fn the_newest_request_wins_over_work_that_would_take_hours() {
+    let mut watched = Watched::new();
+    watched.session.request(request([4000, 4000], 1_000_000));
+    watched.wait(|session| session.progress().activity == Activity::Preview);
+    for i in 0..20 {
+        watched.session.request(request([900 + i, 900], 100_000));
+    }
+    watched.session.request(request([40, 40], 2));
+    let (_, progress) = watched.wait_for_done([40, 40]);
+    assert_eq!(progress.passes, 2);
+}
+
+#[test]
+fn previews_come_before_full_resolution() {
+    let mut watched = Watched::new();
+    let sizes = Arc::new(Mutex::new(Vec::new()));
+    watched.session.request(request([1600, 1000], 1));
+    let seen = Arc::clone(&sizes);
+    watched.wait(move |session| {
+        let mut sizes = seen.lock().expect("one thread");
+        let progress = session.progress();
+        if sizes.last() != Some(&progress.size) {
+            sizes.push(progress.size);
+        }
+        progress.activity == Activity::Done
+    });
+    let sizes = sizes.lock().expect("one thread");
+    let widths: Vec<_> = sizes.iter().map(|size| size[0]).filter(|&width| width > 0).collect();
+    assert!(widths.len() > 1 && widths[0] < 1600, "{widths:?}");
+    assert!(widths.windows(2).all(|pair| pair[0] < pair[1]), "{widths:?}");
+}
+
+#[test]
+fn display_settings_change_the_picture_without_tracing() {
+    let mut watched = Watched::new();
+    watched.session.request(request([32, 32], 2));
+    let (before, progress) = watched.wait_for_done([32, 32]);
+    watched.session.display(DisplaySettings {
+        exposure_ev: 2.0,
+        tone_curve: ToneCurve::Linear,
+        ..DisplaySettings::default()
+    });
+    watched.wait(|session| session.picture().is_some_and(|p| p.serial > before.serial));
+    let after = watched.session.picture().expect("it is there");
+    assert_ne!(before.rgba8, after.rgba8);
+    assert_eq!(watched.session.progress(), progress, "nothing was traced");
+    assert_eq!(watched.session.requests_made(), 1);
+}
+
+#[test]
+fn a_scene_that_is_no_solid_fails_in_words_and_the_next_one_is_traced() {
+    let mut watched = Watched::new();
+    let mut impossible = request([16, 16], 1);
+    let mut scene = (*impossible.scene).clone();
+    scene.objects[0].transform.scale = 0.0;
+    impossible.scene = Arc::new(scene);
+    watched.session.request(impossible);
+    watched.wait(|session| session.progress().activity == Activity::Failed);
+    let error = watched.session.progress().error.expect("a reason");
+    assert!(error.contains("scale"), "{error}");
+    watched.session.request(request([16, 16], 1));
+    watched.wait_for_done([16, 16]);
+    assert_eq!(watched.session.progress().error, None);
+}
+
+#[test]
+fn a_cancelled_still_ends_at_once_with_its_error() {
+    let cancel = AtomicBool::new(false);
+    let request = request([64, 64], 1_000_000);
+    let result = Still::render(&request, StillLimits::default(), &cancel, |passes, _| {
+        if passes == 2 {
+            cancel.store(true, Ordering::Relaxed);
+        }
+    });
+    assert!(matches!(result, Err(RendererError::Cancelled)));
+}
+
+#[test]
+fn a_still_stops_at_its_time_after_whole_passes() {
+    let limits = StillLimits { time: Some(Duration::ZERO), threads: 1 };
+    let cancel = AtomicBool::new(false);
+    let still = Still::render(&request([16, 16], 9), limits, &cancel, |_, _| {}).expect("renders");
+    assert_eq!(still.passes, 1);
+    assert_eq!(still.film.passes(), 1);
+}
