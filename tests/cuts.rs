@@ -1,5 +1,7 @@
 //! The round brilliant against independently computed stones, and over its whole range.
 
+#![expect(clippy::unwrap_used, reason = "a test ends where it fails, in its helpers too")]
+
 use brilliance_renderer::cuts::{RoundBrilliant, StandardProportions};
 use brilliance_renderer::mesh::Mesh;
 use brilliance_renderer::solid::Solid;

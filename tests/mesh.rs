@@ -88,9 +88,11 @@ fn an_inside_out_mesh_is_turned() {
 #[test]
 fn triangles_with_equal_corners_are_dropped_but_slivers_close_gaps() {
     let (positions, mut triangles) = split_cube();
-    triangles.push([0, 0, 1]);
-    let mesh = Mesh::new(positions.clone(), triangles.clone()).unwrap();
-    assert_eq!(mesh.triangles.len(), 12);
+    let mut with_stray = positions.clone();
+    with_stray.push(Vec3::splat(9.0));
+    triangles.push([0, 0, 24]);
+    let mesh = Mesh::new(with_stray, triangles.clone()).unwrap();
+    assert_eq!((mesh.positions.len(), mesh.triangles.len()), (8, 12));
 
     // The edge from corner 0 to corner 1 gets a point in its middle on one side and a triangle
     // without area that joins it to the other side.

@@ -1,5 +1,7 @@
 //! Convex solids: known bodies, any placement, and every way not to close.
 
+#![expect(clippy::unwrap_used, reason = "a test ends where it fails, in its helpers too")]
+
 use brilliance_renderer::solid::{HalfSpace, Solid};
 use glam::{DQuat, DVec3};
 
@@ -7,7 +9,7 @@ fn plane(name: &str, normal: DVec3, distance: f64) -> HalfSpace {
     HalfSpace { normal, distance, name: name.to_owned() }
 }
 
-/// The twelve-millimetre-scale cube of half side 1 about `centre`.
+/// The cube of half side 1 about `centre`.
 fn cube(centre: DVec3) -> Vec<HalfSpace> {
     [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z, DVec3::NEG_Z]
         .into_iter()

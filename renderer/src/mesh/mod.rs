@@ -43,7 +43,7 @@ impl Mesh {
     /// names the triangle or vertex.
     pub fn new(positions: Vec<Vec3>, triangles: Vec<[u32; 3]>) -> Result<Self, RendererError> {
         check(&positions, &triangles)?;
-        let mut mesh = Self::welded(&positions, &triangles, None)?;
+        let mut mesh = Self::welded(positions, triangles, &[])?;
         let edges = mesh.orient();
         mesh.facet = facets::flat_facets(&mesh.positions, &mesh.triangles, &edges);
         Ok(mesh)
@@ -57,7 +57,7 @@ impl Mesh {
         let positions: Vec<Vec3> = solid.vertices.iter().map(|v| v.as_vec3()).collect();
         let (triangles, facet): (Vec<_>, Vec<_>) = solid.triangles().unzip();
         check(&positions, &triangles)?;
-        let mut mesh = Self::welded(&positions, &triangles, Some(&facet))?;
+        let mut mesh = Self::welded(positions, triangles, &facet)?;
         mesh.orient();
         Ok(mesh)
     }
@@ -96,34 +96,30 @@ impl Mesh {
         six_fold / 6.0
     }
 
+    /// Welds, and drops triangles with equal corners; `facet` holds their facets, or nothing yet.
     fn welded(
-        positions: &[Vec3],
-        triangles: &[[u32; 3]],
-        facet: Option<&[u32]>,
+        mut positions: Vec<Vec3>,
+        mut triangles: Vec<[u32; 3]>,
+        facet: &[u32],
     ) -> Result<Self, RendererError> {
-        let (positions, index_of) = weld::weld(positions, triangles);
-        let mut kept = Vec::with_capacity(triangles.len());
-        let mut kept_facet = Vec::with_capacity(facet.map_or(0, <[u32]>::len));
-        for (i, corners) in triangles.iter().enumerate() {
-            let [a, b, c] = corners.map(|v| index_of[v as usize]);
-            if a != b && b != c && c != a {
-                kept.push([a, b, c]);
-                kept_facet.extend(facet.map(|facet| facet[i]));
-            }
+        let has_three_corners = |corners: &[u32; 3]| {
+            let [a, b, c] = corners.map(|v| positions[v as usize]);
+            a != b && b != c && c != a
+        };
+        let kept = triangles.iter().zip(facet).filter(|(corners, _)| has_three_corners(corners));
+        let facet = kept.map(|(_, facet)| *facet).collect();
+        triangles.retain(has_three_corners);
+        let index_of = weld::weld(&mut positions, &triangles);
+        for corners in &mut triangles {
+            *corners = corners.map(|v| index_of[v as usize]);
         }
-        if kept.is_empty() {
+        if triangles.is_empty() {
             return Err(RendererError::Invalid(
                 "the mesh has no triangle with three different corners; export it with its faces"
                     .to_owned(),
             ));
         }
-        Ok(Self {
-            positions,
-            triangles: kept,
-            facet: kept_facet,
-            fault: None,
-            hierarchy: OnceLock::new(),
-        })
+        Ok(Self { positions, triangles, facet, fault: None, hierarchy: OnceLock::new() })
     }
 
     /// Records whether the mesh is closed and, if it is, turns it outside out.

@@ -3,12 +3,12 @@
 use glam::Vec3;
 use rayon::slice::ParallelSliceMut;
 
-/// The different positions that `triangles` use, in the order of `positions`, and for each input
-/// vertex its index among them (unused vertices keep 0).
+/// Leaves in `positions` the different ones that `triangles` use, in their order, and returns for
+/// each vertex its new index (0 for unused ones).
 ///
 /// Positions are equal when their coordinates are; −0 equals 0. Sorted rather than hashed, so that
 /// no choice of positions makes it slow.
-pub(super) fn weld(positions: &[Vec3], triangles: &[[u32; 3]]) -> (Vec<Vec3>, Vec<u32>) {
+pub(super) fn weld(positions: &mut Vec<Vec3>, triangles: &[[u32; 3]]) -> Vec<u32> {
     let mut used = vec![false; positions.len()];
     for v in triangles.iter().flatten() {
         used[*v as usize] = true;
@@ -24,18 +24,20 @@ pub(super) fn weld(positions: &[Vec3], triangles: &[[u32; 3]]) -> (Vec<Vec3>, Ve
             first_of[*key as u32 as usize] = run[0] as u32;
         }
     }
-    let mut welded = Vec::new();
+    let mut count = 0;
     let mut index_of = vec![0; positions.len()];
     for v in (0..positions.len()).filter(|&v| used[v]) {
         let first = first_of[v] as usize;
         if first == v {
-            index_of[v] = welded.len() as u32;
-            welded.push(positions[v]);
+            positions[count] = positions[v];
+            index_of[v] = count as u32;
+            count += 1;
         } else {
             index_of[v] = index_of[first];
         }
     }
-    (welded, index_of)
+    positions.truncate(count);
+    index_of
 }
 
 /// The bits of the position above the index of the vertex.
