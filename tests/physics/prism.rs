@@ -48,7 +48,9 @@ fn light_is_bent_by_the_textbook_angle() {
         fov_y_radians: 2.0
             * ((FOV_DEGREES / 2.0).to_radians().tan() / f64::from(WIDTH)).atan() as f32,
     };
-    let settings = TraceSettings { bins: 50, ..TraceSettings::default() };
+    // Only the ray that is refracted twice: images by inner reflections lie elsewhere.
+    let settings =
+        TraceSettings { bins: 50, significance_threshold: 0.3, ..TraceSettings::default() };
     let prism = object(prism(60.0, 5.0), clear(FLINT));
     let mut request = request(scene(vec![prism], lights), camera, [WIDTH, 1], settings);
     request.pass_limit = 16;
@@ -67,7 +69,7 @@ fn light_is_bent_by_the_textbook_angle() {
         let exit = (n * (apex - inside).sin()).asin();
         let predicted = ray_angle + incidence + exit - apex;
         let error = (predicted - towards_light).to_degrees();
-        assert!(error.abs() < 0.02, "bin {bin}: off by {error}°");
+        assert!(error.abs() < 0.004, "bin {bin}: off by {error}°");
         checked += 1;
     }
     assert!(checked > 40, "the spectrum is in the picture: {checked} bins");

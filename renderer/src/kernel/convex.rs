@@ -6,6 +6,10 @@ use wide::f32x8;
 use crate::kernel::ray::{Hit, Ray};
 use crate::packed::{Instance, NONE, PLANES_PER_BLOCK, PackedScene, PlaneBlock};
 
+/// A solid whose surface lies this little behind the start of a ray touches the one that the ray
+/// has left, in mm: rounding must not carry the ray past the surface.
+const TOUCHING_MM: f32 = 1e-4;
+
 /// Numbers the planes of a block.
 const LANES: [f32; PLANES_PER_BLOCK] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
 
@@ -59,8 +63,9 @@ pub fn entry(scene: &PackedScene, instance: &Instance, ray: &Ray) -> Hit {
     }
     let (negated, facet) = least(-farthest_entry, entry_facet);
     let (exit_distance, _) = least(nearest_exit, entry_facet);
-    if -negated > 0.0 && -negated < exit_distance {
-        hit(scene, instance, ray, -negated, facet)
+    let distance = -negated;
+    if distance > -TOUCHING_MM && distance.max(0.0) < exit_distance {
+        hit(scene, instance, ray, distance.max(0.0), facet)
     } else {
         Hit::MISS
     }
