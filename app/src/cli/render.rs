@@ -23,6 +23,7 @@ const ALL_THREADS: usize = 0;
 
 /// Renders, writes the picture and the statistics, and says what was done.
 pub(super) fn render(arguments: &RenderArguments) -> anyhow::Result<()> {
+    let cancel = cancelled_by_ctrl_c()?;
     let format = arguments.format().map_err(|fault| anyhow!(fault))?;
     // A mistyped folder should be told now, not after an hour of tracing.
     for path in [Some(&arguments.output), arguments.stats.as_ref()].into_iter().flatten() {
@@ -32,7 +33,7 @@ pub(super) fn render(arguments: &RenderArguments) -> anyhow::Result<()> {
     let document = open(arguments)?;
     check_film(&document)?;
     let threads = arguments.threads.unwrap_or(ALL_THREADS);
-    let still = trace(&document, StillLimits { time: arguments.time, threads })?;
+    let still = trace(&document, StillLimits { time: arguments.time, threads }, &cancel)?;
     let base = arguments.output.parent().unwrap_or(Path::new(""));
     still.write(&arguments.output, format, &document.display, &document.to_toml(base))?;
 
@@ -60,9 +61,8 @@ fn open(arguments: &RenderArguments) -> anyhow::Result<Document> {
     Ok(document)
 }
 
-/// Traces the document's still with a progress bar; Ctrl-C cancels.
-fn trace(document: &Document, limits: StillLimits) -> anyhow::Result<Still> {
-    let cancel = cancelled_by_ctrl_c()?;
+/// Traces the document's still with a progress bar.
+fn trace(document: &Document, limits: StillLimits, cancel: &AtomicBool) -> anyhow::Result<Still> {
     let request = RenderRequest {
         scene: Arc::new(document.scene.clone()),
         camera: document.scene.camera,
@@ -71,7 +71,7 @@ fn trace(document: &Document, limits: StillLimits) -> anyhow::Result<Still> {
         pass_limit: document.still.passes,
     };
     let progress = Progress::new(request.pass_limit);
-    let still = Still::render(&request, limits, &cancel, |passes, _| progress.show(passes));
+    let still = Still::render(&request, limits, cancel, |passes, _| progress.show(passes));
     drop(progress);
     still.map_err(|error| match error {
         RendererError::Cancelled => anyhow!("cancelled; no picture was written"),
