@@ -11,7 +11,7 @@ use crate::theme;
 
 const LABEL_WIDTH: f32 = 112.0;
 const VALUE_WIDTH: f32 = 74.0;
-const SLIDER_HEIGHT: f32 = 15.0;
+const SLIDER_HEIGHT: f32 = 13.0;
 
 /// A slider with its label, its typed value and its unit.
 ///

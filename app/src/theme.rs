@@ -43,10 +43,10 @@ pub fn apply(ctx: &Context) {
         ]
         .into();
         let spacing = &mut style.spacing;
-        spacing.item_spacing = vec2(8.0, 6.0);
+        spacing.item_spacing = vec2(8.0, 4.0);
         spacing.button_padding = vec2(8.0, 3.0);
         spacing.interact_size = vec2(36.0, 22.0);
-        spacing.slider_rail_height = 3.0;
+        spacing.slider_rail_height = 2.5;
         spacing.combo_width = 60.0;
         spacing.scroll = ScrollStyle::thin();
         style.interaction.selectable_labels = false;
@@ -94,5 +94,5 @@ fn visuals(visuals: &mut eframe::egui::Visuals) {
     }
     widgets.noninteractive.bg_stroke = Stroke::new(1.0, LINE);
     widgets.hovered.fg_stroke = Stroke::new(1.5, TEXT_STRONG);
-    widgets.active.fg_stroke = Stroke::new(1.5, ACCENT);
+    widgets.active.fg_stroke = Stroke::new(1.5, TEXT_STRONG);
 }

@@ -53,22 +53,20 @@ fn sections_ui(ui: &mut Ui, document: &mut Document, opened: &Document, state: &
     section(ui, "Light", |ui| {
         lights::show(ui, &mut document.scene.lights, &opened.scene.lights);
     });
+    section(ui, "Display", |ui| display::show(ui, &mut document.display));
     section(ui, "Tracing", |ui| {
         tracing::show(ui, &mut document.trace, &mut document.still.passes);
     });
-    section(ui, "Display", |ui| display::show(ui, &mut document.display));
 }
 
 /// A section that folds away under its title.
 fn section(ui: &mut Ui, title: &str, contents: impl FnOnce(&mut Ui)) {
-    ui.add_space(4.0);
     CollapsingHeader::new(RichText::new(title).strong())
         .id_salt(title)
         .default_open(true)
         .show_unindented(ui, |ui| {
-            ui.add_space(2.0);
             contents(ui);
-            ui.add_space(6.0);
+            ui.add_space(4.0);
         });
     ui.separator();
 }
