@@ -1,17 +1,20 @@
 //! The window without a window system: each control changes what it says it changes.
 
+use std::f32::consts::PI;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, Mutex};
 
 use brilliance::app::{App, Services};
-use brilliance::catalogue;
 use brilliance::export::{StillJob, StillReport};
 use brilliance::notice::NoticeKind;
+use brilliance_renderer::cuts::{RoundBrilliant, StandardProportions};
 use brilliance_renderer::error::RendererError;
-use brilliance_renderer::material::Material;
-use brilliance_renderer::scene::{Object, Shape, Transform};
-use brilliance_renderer::scene_file::Document;
+use brilliance_renderer::light::DiscLight;
+use brilliance_renderer::material::{Material, find};
+use brilliance_renderer::rigs::rigs;
+use brilliance_renderer::scene::Shape;
+use brilliance_renderer::scene_file::{Document, StillSettings, scenes};
 use brilliance_renderer::session::RenderRequest;
 use brilliance_renderer::settings::{DisplaySettings, ToneCurve, WhitePoint};
 use brilliance_renderer::still::StillFormat;
@@ -23,19 +26,6 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable, by};
 
 type AppHarness = Harness<'static, App>;
-
-/// A diamond under nine spots, whatever the default scene is.
-fn diamond() -> Document {
-    let mut document = Document::default();
-    document.scene.objects = vec![Object {
-        name: "Diamond".to_owned(),
-        shape: Shape::RoundBrilliant(catalogue::default_brilliant()),
-        transform: Transform::default(),
-        material: Material::Dielectric(catalogue::materials()[0].value.clone()),
-    }];
-    document.scene.lights = catalogue::rigs()[0].value.clone();
-    document
-}
 
 fn services() -> Services {
     Services {
@@ -52,17 +42,18 @@ fn harness_with(document: Document, file: Option<&Path>, services: Services) -> 
         .with_max_steps(30)
         .build_eframe(move |creation| {
             App::with_services(&creation.egui_ctx, document, file.as_deref(), services)
+                .expect("threads")
         });
     harness.run_steps(4);
     harness
 }
 
 fn harness() -> AppHarness {
-    harness_with(diamond(), None, services())
+    harness_with(Document::default(), None, services())
 }
 
 fn request(harness: &AppHarness) -> RenderRequest {
-    harness.state().request().unwrap().clone()
+    harness.state().request().expect("a first frame").clone()
 }
 
 fn slider<'h>(harness: &'h AppHarness, label: &'h str) -> egui_kittest::Node<'h> {
@@ -103,7 +94,7 @@ fn drag(harness: &mut AppHarness, button: PointerButton, modifiers: Modifiers, b
     for (pos, pressed) in [(from, Some(true)), (from + 0.5 * by, None), (from + by, None)] {
         match pressed {
             Some(pressed) => {
-                harness.event(Event::PointerButton { pos, button, pressed, modifiers })
+                harness.event(Event::PointerButton { pos, button, pressed, modifiers });
             }
             None => harness.event(Event::PointerMoved(pos)),
         }
@@ -117,10 +108,12 @@ fn picture_centre(harness: &AppHarness) -> Pos2 {
     harness.get_by_label_contains("Picture of the stone").rect().center()
 }
 
+/// Reads the value that a slider turns.
+type Value = fn(&RenderRequest) -> f64;
+
 #[test]
 fn every_tracing_slider_changes_the_request() {
     let mut harness = harness();
-    type Value = fn(&RenderRequest) -> f64;
     let cases: [(&str, f64, f64, Value); 14] = [
         ("Diameter", 8.25, 8.25, |r| f64::from(brilliant(r).diameter_mm)),
         ("Table", 60.0, 0.6, |r| f64::from(brilliant(r).table)),
@@ -147,7 +140,7 @@ fn every_tracing_slider_changes_the_request() {
     }
 }
 
-fn brilliant(request: &RenderRequest) -> brilliance_renderer::cuts::RoundBrilliant {
+fn brilliant(request: &RenderRequest) -> RoundBrilliant {
     match &request.scene.objects[0].shape {
         Shape::RoundBrilliant(cut) => *cut,
         shape => panic!("not a brilliant: {shape:?}"),
@@ -163,22 +156,23 @@ fn index_and_dispersion_change_the_material() {
     let Material::Dielectric(stone) = &request.scene.objects[0].material else {
         panic!("the stone is no longer clear")
     };
-    let figures = catalogue::index_figures(&stone.dispersion);
-    assert!((figures.n_d - 1.76).abs() < 1e-9, "{figures:?}");
-    assert!((figures.dispersion_bg - 0.1).abs() < 1e-9, "{figures:?}");
+    assert!((stone.dispersion.n_d() - 1.76).abs() < 1e-9);
+    assert!((stone.dispersion.dispersion_bg() - 0.1).abs() < 1e-9);
 }
 
 #[test]
 fn lights_scale_together() {
     let mut harness = harness();
     let before = request(&harness).scene.lights.discs.clone();
-    let mean_radiance = before.iter().map(|disc| disc.radiance).sum::<f32>() / before.len() as f32;
+    let irradiance = |discs: &[DiscLight]| {
+        discs.iter().map(|disc| disc.radiance * disc.solid_angle_steradians()).sum::<f32>()
+    };
     set(&mut harness, "Light size", 2.0);
-    set(&mut harness, "Brightness", 2.0 * f64::from(mean_radiance));
+    set(&mut harness, "Brightness", 5.0);
     let after = request(&harness).scene.lights.discs.clone();
+    assert!((irradiance(&after) / (5.0 * PI) - 1.0).abs() < 1e-3);
     for (old, new) in before.iter().zip(&after) {
         assert_eq!(old.direction, new.direction);
-        assert!((new.radiance / old.radiance - 2.0).abs() < 1e-3);
     }
     let mean_radius =
         after.iter().map(|disc| disc.angular_radius_radians.to_degrees()).sum::<f32>()
@@ -197,20 +191,24 @@ fn switches_and_lists_change_the_request() {
     harness.run_steps(2);
     assert!(!request(&harness).trace.perturb);
 
+    let had_backdrop = request(&harness).scene.lights.backdrop.is_some();
     harness.get_by_role_and_label(Role::CheckBox, "Plain backdrop").click();
     harness.run_steps(2);
-    assert!(request(&harness).scene.lights.backdrop.is_some());
+    assert_ne!(request(&harness).scene.lights.backdrop.is_some(), had_backdrop);
 
-    choose(&mut harness, "Lights", &catalogue::rigs()[1].name);
-    let lights = request(&harness).scene.lights.clone();
-    assert_eq!(lights, catalogue::rigs()[1].value);
+    for rig in rigs() {
+        choose(&mut harness, "Lights", rig.name);
+        assert_eq!(request(&harness).scene.lights, (rig.lights)(), "{}", rig.name);
+    }
 
-    choose(&mut harness, "Material", &catalogue::materials()[1].name);
-    let expected = Material::Dielectric(catalogue::materials()[1].value.clone());
+    let sapphire = find("Sapphire").unwrap();
+    choose(&mut harness, "Material", &sapphire.name);
+    let expected = Material::Dielectric(sapphire.dielectric());
     assert_eq!(request(&harness).scene.objects[0].material, expected);
 
-    choose(&mut harness, "Proportions", &catalogue::brilliants()[0].name);
-    assert_eq!(brilliant(&request(&harness)).table, catalogue::brilliants()[0].value.table);
+    choose(&mut harness, "Proportions", StandardProportions::Tolkowsky.name());
+    let tolkowsky = StandardProportions::Tolkowsky.of_diameter(6.5);
+    assert_eq!(brilliant(&request(&harness)), tolkowsky);
 }
 
 /// Opens the list called `label` and clicks on `item`.
@@ -363,12 +361,12 @@ fn edits_are_undone_one_gesture_at_a_time() {
     harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
     harness.run_steps(2);
     let cut = brilliant(&request(&harness));
-    assert_eq!(cut.table, catalogue::default_brilliant().table);
+    assert_eq!(cut.table, RoundBrilliant::default().table);
     assert_eq!(cut.crown_angle_degrees, 30.0);
 
     harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
     harness.run_steps(2);
-    assert_eq!(brilliant(&request(&harness)), catalogue::default_brilliant());
+    assert_eq!(brilliant(&request(&harness)), RoundBrilliant::default());
     assert!(!harness.state().title().contains('\u{2022}'));
 
     for _ in 0..2 {
@@ -420,7 +418,7 @@ fn unsaved_changes_are_asked_about_before_another_scene_is_opened() {
     harness.run_steps(3);
     harness.get_by_label_contains("Open scene").click();
     harness.run_steps(3);
-    harness.get_by_label(&catalogue::scenes()[0].name).click();
+    harness.get_by_label(scenes()[0].name).click();
     harness.run_steps(3);
     harness.get_by_label("Save your changes?");
     harness.get_by_label("Cancel").click();
@@ -435,7 +433,7 @@ fn save_writes_the_scene_file_and_clears_the_mark() {
     let file = folder.path().join("stone.toml");
     let answer = file.clone();
     let services = Services { ask_path: Arc::new(move |_| Some(answer.clone())), ..services() };
-    let mut harness = harness_with(diamond(), None, services);
+    let mut harness = harness_with(Document::default(), None, services);
     set(&mut harness, "Crown angle", 30.0);
     harness.key_press_modifiers(Modifiers::COMMAND, Key::S);
     wait(&mut harness, "saving", |app| app.title().starts_with("stone.toml"));
@@ -475,7 +473,7 @@ fn export_renders_what_the_window_says() {
         Ok(StillReport { passes: job.request.pass_limit, tracing_seconds: 1.5 })
     };
     let services = Services { render_still: Arc::new(render), ..services() };
-    let mut harness = harness_with(diamond(), None, services);
+    let mut harness = harness_with(Document::default(), None, services);
     harness.key_press_modifiers(Modifiers::COMMAND, Key::E);
     harness.run_steps(3);
     choose(&mut harness, "Size", "3840 × 2160, 4K");
@@ -496,11 +494,13 @@ fn export_renders_what_the_window_says() {
 
 #[test]
 fn the_picture_has_the_physical_pixels_of_the_viewport() {
-    let document = diamond();
-    let mut harness =
-        Harness::builder().with_size(vec2(1200.0, 900.0)).with_pixels_per_point(1.5).build_eframe(
-            move |creation| App::with_services(&creation.egui_ctx, document, None, services()),
-        );
+    let document = Document::default();
+    let mut harness = Harness::builder()
+        .with_size(vec2(1200.0, 900.0))
+        .with_pixels_per_point(1.5)
+        .build_eframe(move |creation| {
+            App::with_services(&creation.egui_ctx, document, None, services()).unwrap()
+        });
     harness.run_steps(4);
     let points = harness.get_by_label_contains("Picture of the stone").rect().size();
     let size = request(&harness).size;
@@ -518,4 +518,25 @@ fn every_control_has_a_name() {
     let sliders =
         root.children_recursive().filter(|node| node.accesskit_node().role() == Role::Slider);
     assert!(sliders.count() >= 20);
+}
+
+#[test]
+fn an_exported_still_is_a_readable_png_of_the_asked_size() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut document = Document::default();
+    document.still = StillSettings { size: [48, 32], passes: 2 };
+    document.trace.bins = 8;
+    let file = folder.path().join("stone.toml");
+    let mut harness = harness_with(document.clone(), Some(&file), Services::default());
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::E);
+    harness.run_steps(3);
+    harness.get_by_label("Export").click();
+    wait(&mut harness, "the export", |app| !app.notices().list().is_empty());
+    let notice = &harness.state().notices().list()[0];
+    assert_eq!(notice.kind, NoticeKind::Confirmation, "{notice:?}");
+
+    let picture = image::open(folder.path().join("stone.png")).unwrap().to_rgb8();
+    assert_eq!(picture.dimensions(), (48, 32));
+    let middle = picture.get_pixel(24, 16);
+    assert_ne!(middle, picture.get_pixel(0, 0), "the stone differs from the backdrop");
 }

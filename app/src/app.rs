@@ -6,6 +6,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use brilliance_renderer::camera::Camera;
+use brilliance_renderer::error::RendererError;
 use brilliance_renderer::scene::Scene;
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::session::{RenderRequest, Session};
@@ -63,33 +64,42 @@ pub struct App {
     paths: PathDialog,
     export: ExportWindow,
     help: Option<Help>,
-    backend: String,
     title: String,
 }
 
 impl App {
     /// Shows `document`, which came from `file`.
-    pub fn new(ctx: &egui::Context, document: Document, file: Option<&Path>) -> Self {
+    ///
+    /// # Errors
+    /// The system gives the session no threads.
+    pub fn new(
+        ctx: &egui::Context,
+        document: Document,
+        file: Option<&Path>,
+    ) -> Result<Self, RendererError> {
         Self::with_services(ctx, document, file, Services::default())
     }
 
     /// As [`new`](Self::new), with other ways to ask for a path and to render a still.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
     pub fn with_services(
         ctx: &egui::Context,
         document: Document,
         file: Option<&Path>,
         services: Services,
-    ) -> Self {
+    ) -> Result<Self, RendererError> {
         theme::apply(ctx);
         let repaint = ctx.clone();
         let editor = Editor::new(document, file);
         let scene = Arc::new(editor.document.scene.clone());
-        Self {
+        Ok(Self {
             bounds: Bounds::of(&scene),
             orbit: Orbit::from_camera(&scene.camera),
             scene,
             editor,
-            session: Session::new(move || repaint.request_repaint()),
+            session: Session::new(move || repaint.request_repaint())?,
             request: None,
             viewport: Viewport::default(),
             viewport_size: [1, 1],
@@ -101,9 +111,8 @@ impl App {
             paths: PathDialog::new(services.ask_path),
             export: ExportWindow::new(services.render_still),
             help: None,
-            backend: status::cpu_backend(),
             title: String::new(),
-        }
+        })
     }
 
     /// The document as it is now.
@@ -285,7 +294,7 @@ impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         let ctx = ui.ctx().clone();
         self.menu_ui(ui);
-        status::show(ui, &self.session.progress(), &self.backend);
+        status::show(ui, &self.session.progress(), self.session.threads());
         if self.panel_shown {
             let baseline = self.editor.baseline().clone();
             panels::show(ui, &mut self.editor.document, &baseline, &mut self.panel);

@@ -1,6 +1,7 @@
 //! Where the scene is, for the camera.
 
 use brilliance_renderer::scene::{Object, Scene, Shape};
+use brilliance_renderer::solid::Solid;
 use glam::Vec3;
 
 /// A ball that holds every object of a scene; the eye stays outside it.
@@ -49,23 +50,24 @@ fn shape(shape: &Shape) -> Bounds {
     match shape {
         // Crown, girdle and pavilion together are lower than the stone is wide.
         Shape::RoundBrilliant(cut) => Bounds { centre: Vec3::ZERO, radius: 0.55 * cut.diameter_mm },
-        // Corners lie farther out than their facets; a cube's by √3.
-        Shape::Polyhedron(facets) => {
-            let farthest = facets.iter().map(|facet| facet.distance.abs()).fold(0.0, f64::max);
-            Bounds { centre: Vec3::ZERO, radius: 1.75 * farthest as f32 }
-        }
+        Shape::Polyhedron(facets) => match Solid::from_half_spaces(facets) {
+            Ok(solid) => ball(solid.bounds().0.as_vec3(), solid.bounds().1.as_vec3()),
+            // The session says what is wrong with it.
+            Err(_) => EMPTY,
+        },
         Shape::Mesh(source) => {
-            let positions = &source.mesh.positions;
-            let (low, high) =
-                positions.iter().fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(low, high), p| {
-                    (low.min(*p), high.max(*p))
-                });
-            if !(low.is_finite() && high.is_finite()) {
-                return EMPTY;
-            }
-            Bounds { centre: 0.5 * (low + high), radius: 0.5 * (high - low).length() }
+            let (low, high) = source.mesh.bounds();
+            ball(low, high)
         }
     }
+}
+
+/// The ball about a box.
+fn ball(low: Vec3, high: Vec3) -> Bounds {
+    if !(low.is_finite() && high.is_finite()) {
+        return EMPTY;
+    }
+    Bounds { centre: 0.5 * (low + high), radius: 0.5 * (high - low).length() }
 }
 
 #[cfg(test)]

@@ -36,8 +36,8 @@ impl Editor {
         }
     }
 
-    /// A document of the program's own, called `name`.
-    pub fn embedded(document: Document, name: &str) -> Self {
+    /// A document without a file, called `name`.
+    pub fn named(document: Document, name: &str) -> Self {
         Self { name: name.to_owned(), ..Self::new(document, None) }
     }
 

@@ -1,6 +1,6 @@
 //! What the mouse and the keys do, and what this program is.
 
-use eframe::egui::{Context, Grid, Id, Modal, RichText, Ui};
+use eframe::egui::{Context, Grid, RichText, Ui};
 
 use crate::theme;
 
@@ -32,7 +32,7 @@ const KEYS: [(&str, &str); 14] = [
 
 /// Shows a page; false once it is closed.
 pub fn show(ctx: &Context, page: Help) -> bool {
-    let modal = Modal::new(Id::unique("help")).show(ctx, |ui| {
+    let modal = theme::dialog(ctx, "help").show(ctx, |ui| {
         ui.set_width(430.0);
         match page {
             Help::Keys => keys_ui(ui),

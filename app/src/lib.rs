@@ -1,11 +1,12 @@
-//! Brilliance, a viewer of gemstones: the window.
+//! Brilliance, a viewer of gemstones: the window and the command line.
 //!
 //! [`app`] holds the document that is edited and, each frame, asks the renderer's session for
 //! the picture it describes; the panels edit the document, the viewport shows the picture.
+//! [`cli`] does the same work without a window.
 
 pub mod app;
 pub mod bounds;
-pub mod catalogue;
+pub mod cli;
 pub mod command;
 pub mod editor;
 pub mod export;

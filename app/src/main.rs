@@ -1,8 +1,7 @@
-//! The `brilliance` program: opens the window on the default scene.
+//! The `brilliance` program; what it does is in [`brilliance::cli`].
 
-use brilliance_renderer::scene_file::Document;
+use std::process::ExitCode;
 
-fn main() -> anyhow::Result<()> {
-    env_logger::init();
-    brilliance::window::open(Document::default(), None)
+fn main() -> ExitCode {
+    brilliance::cli::run()
 }

@@ -1,8 +1,8 @@
 //! The menu bar.
 
+use brilliance_renderer::scene_file::scenes;
 use eframe::egui::{Button, Frame, Margin, MenuBar, Panel, RichText, Ui};
 
-use crate::catalogue;
 use crate::command::Command;
 use crate::editor::Editor;
 use crate::orbit::StandardView;
@@ -32,8 +32,8 @@ pub fn show(ui: &mut Ui, editor: &Editor, panel_shown: bool) -> Option<Command> 
 fn file_ui(ui: &mut Ui, chosen: &mut Option<Command>) {
     entry(ui, true, "Open\u{2026}", Command::Open, chosen);
     ui.menu_button("Open scene", |ui| {
-        for (index, scene) in catalogue::scenes().iter().enumerate() {
-            if ui.button(&scene.name).on_hover_text(&scene.description).clicked() {
+        for (index, scene) in scenes().iter().enumerate() {
+            if ui.button(scene.name).clicked() {
                 *chosen = Some(Command::OpenScene(index));
             }
         }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use eframe::egui::{self, Id, Key, Modal, RichText, TextEdit, Ui};
+use eframe::egui::{self, Key, RichText, TextEdit, Ui};
 
 use crate::task::{Task, TaskState};
 use crate::theme;
@@ -110,7 +110,7 @@ impl PathDialog {
             }
         }
         let typed = self.typed.as_mut()?;
-        let modal = Modal::new(Id::unique("typed path")).show(ctx, |ui| typed_ui(ui, typed));
+        let modal = theme::dialog(ctx, "typed path").show(ctx, |ui| typed_ui(ui, typed));
         let closed = modal.should_close();
         match modal.inner {
             Answer::Path(path) => {
@@ -135,7 +135,10 @@ enum Answer {
 
 impl Typed {
     fn new(question: &Question) -> Self {
-        let text = question.suggestion.display().to_string();
+        let mut text = question.suggestion.display().to_string();
+        if question.purpose == Purpose::Open && !text.is_empty() {
+            text.push(std::path::MAIN_SEPARATOR);
+        }
         let mut typed = Self { purpose: question.purpose, text, replaces: false };
         typed.look();
         typed

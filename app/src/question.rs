@@ -1,6 +1,8 @@
 //! The question before unsaved changes would be lost.
 
-use eframe::egui::{Context, Id, Modal};
+use eframe::egui::Context;
+
+use crate::theme;
 
 /// What the user decides about unsaved changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,7 +17,7 @@ pub enum Decision {
 
 /// Asks about the changes to the document called `name`.
 pub fn show(ctx: &Context, name: &str) -> Option<Decision> {
-    let modal = Modal::new(Id::unique("unsaved changes")).show(ctx, |ui| {
+    let modal = theme::dialog(ctx, "unsaved changes").show(ctx, |ui| {
         ui.set_width(360.0);
         ui.heading("Save your changes?");
         ui.label(format!("{name} has been changed since it was opened or saved."));

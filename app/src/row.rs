@@ -180,6 +180,16 @@ fn parsed(text: &str, unit: &str) -> Option<f64> {
     number.replace(',', ".").replace('\u{2212}', "-").parse().ok().filter(|v: &f64| v.is_finite())
 }
 
+/// A range for a row.
+pub fn wide(range: &RangeInclusive<f32>) -> RangeInclusive<f64> {
+    f64::from(*range.start())..=f64::from(*range.end())
+}
+
+/// A range of counts for a row.
+pub fn whole(range: &RangeInclusive<u32>) -> RangeInclusive<f64> {
+    f64::from(*range.start())..=f64::from(*range.end())
+}
+
 /// A choice among a few values.
 pub fn choice<T: PartialEq + Copy>(
     ui: &mut Ui,

@@ -5,14 +5,14 @@ use eframe::egui::{Align, Color32, Frame, Layout, Margin, Panel, RichText, Sense
 
 use crate::theme;
 
-/// Shows the line at the bottom edge. `backend` says what traces.
-pub fn show(ui: &mut Ui, progress: &Progress, backend: &str) {
+/// Shows the line at the bottom edge; the tracer has `threads` threads.
+pub fn show(ui: &mut Ui, progress: &Progress, threads: usize) {
     let frame = Frame::new().fill(theme::PANEL).inner_margin(Margin::symmetric(12, 4));
     Panel::bottom("status").frame(frame).show(ui, |ui| {
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 6.0;
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                item(ui, backend, "What traces the rays.");
+                item(ui, &cpu_backend(threads), "What traces the rays.");
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                     ui.shrink_clip_rect(ui.max_rect());
                     progress_ui(ui, progress);
@@ -144,9 +144,8 @@ pub(crate) fn duration(seconds: f64) -> String {
     }
 }
 
-/// The tracer and its threads.
-pub fn cpu_backend() -> String {
-    let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+/// The name of the tracer with its threads.
+fn cpu_backend(threads: usize) -> String {
     let plural = if threads == 1 { "" } else { "s" };
     format!("CPU, {threads} thread{plural}")
 }

@@ -2,7 +2,8 @@
 
 use eframe::egui::style::{HandleShape, ScrollStyle};
 use eframe::egui::{
-    Color32, Context, CornerRadius, FontId, Shadow, Stroke, TextStyle, Theme, vec2,
+    Color32, Context, CornerRadius, FontId, Frame, Id, Margin, Modal, Shadow, Stroke, TextStyle,
+    Theme, vec2,
 };
 
 /// Behind the picture.
@@ -45,6 +46,7 @@ pub fn apply(ctx: &Context) {
         let spacing = &mut style.spacing;
         spacing.item_spacing = vec2(8.0, 4.0);
         spacing.button_padding = vec2(8.0, 3.0);
+        spacing.window_margin = Margin::same(14);
         spacing.interact_size = vec2(36.0, 22.0);
         spacing.slider_rail_height = 2.5;
         spacing.combo_width = 60.0;
@@ -53,6 +55,12 @@ pub fn apply(ctx: &Context) {
         style.interaction.tooltip_delay = 0.4;
         visuals(&mut style.visuals);
     });
+}
+
+/// A dialog above everything else.
+pub fn dialog(ctx: &Context, name: &str) -> Modal {
+    let frame = Frame::popup(&ctx.global_style()).inner_margin(16);
+    Modal::new(Id::unique(name)).frame(frame)
 }
 
 fn visuals(visuals: &mut eframe::egui::Visuals) {

@@ -31,7 +31,7 @@ pub fn open(document: Document, file: Option<PathBuf>) -> anyhow::Result<()> {
         "Brilliance",
         options,
         Box::new(move |creation| {
-            Ok(Box::new(App::new(&creation.egui_ctx, document, file.as_deref())))
+            Ok(Box::new(App::new(&creation.egui_ctx, document, file.as_deref())?))
         }),
     )
     .map_err(|fault| anyhow!("the window can't be opened: {fault}"))

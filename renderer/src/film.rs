@@ -51,6 +51,12 @@ impl Film {
         self.passes += 1;
     }
 
+    /// Mean spectral radiance of all pixels, in the order of the sums.
+    pub fn means(&self) -> Vec<f32> {
+        let scale = 1.0 / self.passes.max(1) as f32;
+        self.sums.iter().map(|sum| sum * scale).collect()
+    }
+
     /// Mean spectral radiance of the pixel at column `x`, row `y`, one value per bin.
     pub fn pixel(&self, x: u32, y: u32) -> Vec<f32> {
         let start = (y as usize * self.width as usize + x as usize) * self.bins.count();

@@ -26,7 +26,9 @@ impl DiscLight {
     /// The solid angle 2π(1 − √(1 − s²)), s the sine of the angular radius, in steradians
     /// (Thomas 1986, "Modeling dispersion").
     pub fn solid_angle_steradians(&self) -> f32 {
-        TAU * (1.0 - self.angular_radius_radians.cos())
+        // The same as 2π(1 − cos r), without the cancellation that would cost a small disc its digits.
+        let half_sine = (0.5 * self.angular_radius_radians).sin();
+        2.0 * TAU * half_sine * half_sine
     }
 }
 

@@ -1,11 +1,25 @@
 //! From sliders to pixels: the newest request wins, the UI never waits.
+//!
+//! Two threads work behind a [`Session`]. The *render* thread takes the newest request, traces
+//! pass after pass and hands on the film as an [`XyzImage`]; a newer request stops it within a
+//! strip of pixels. The *develop* thread turns the newest image into a [`Picture`] by the newest
+//! [`DisplaySettings`], so that exposure acts while a long pass is being traced.
 
-use std::sync::Arc;
+mod develop_thread;
+mod mailbox;
+mod render_thread;
+
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::JoinHandle;
 
 use crate::camera::Camera;
+use crate::develop::XyzImage;
+use crate::error::RendererError;
 use crate::scene::Scene;
 use crate::settings::{DisplaySettings, TraceSettings};
 use crate::statistics::Statistics;
+use crate::tracer::CpuTracer;
+use mailbox::Mailbox;
 
 /// Everything that decides the film. Equal requests need no work; a different one restarts.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,34 +82,135 @@ pub struct Progress {
     pub error: Option<String>,
 }
 
+/// The film as the develop thread gets it.
+#[derive(Clone)]
+struct Negative {
+    image: Arc<XyzImage>,
+    display: DisplaySettings,
+}
+
+/// What the threads share. A poisoned lock still holds a whole value, so poison is ignored.
+struct Shared {
+    requests: Mailbox<RenderRequest>,
+    image: Mutex<Option<Arc<XyzImage>>>,
+    display: Mutex<DisplaySettings>,
+    negatives: Mailbox<Negative>,
+    picture: Mutex<Option<Arc<Picture>>>,
+    progress: Mutex<Progress>,
+    on_update: Box<dyn Fn() + Send + Sync>,
+}
+
+impl Shared {
+    /// Asks for the newest image to be developed by the newest settings.
+    fn develop(&self) {
+        let image = lock(&self.image).clone();
+        let display = lock(&self.display).clone();
+        if let Some(image) = image {
+            self.negatives.post(Negative { image, display });
+        }
+    }
+
+    fn publish(&self, progress: Progress) {
+        *lock(&self.progress) = progress;
+        (self.on_update)();
+    }
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
 /// A render thread that serves the newest request, and a develop thread that shows it.
-pub struct Session {}
+pub struct Session {
+    shared: Arc<Shared>,
+    last_request: Option<RenderRequest>,
+    requests_made: u64,
+    threads: usize,
+    workers: Vec<JoinHandle<()>>,
+}
 
 impl Session {
     /// Starts the threads. `on_update` is called from them whenever a new picture or new progress
     /// can be read.
-    pub fn new(_on_update: impl Fn() + Send + Sync + 'static) -> Self {
-        Self {}
+    ///
+    /// # Errors
+    /// The system refuses the threads.
+    pub fn new(on_update: impl Fn() + Send + Sync + 'static) -> Result<Self, RendererError> {
+        let tracer = CpuTracer::new(0)?;
+        let threads = tracer.threads();
+        let shared = Arc::new(Shared {
+            requests: Mailbox::new(),
+            image: Mutex::new(None),
+            display: Mutex::new(DisplaySettings::default()),
+            negatives: Mailbox::new(),
+            picture: Mutex::new(None),
+            progress: Mutex::new(Progress::default()),
+            on_update: Box::new(on_update),
+        });
+        let (render, develop) = (Arc::clone(&shared), Arc::clone(&shared));
+        let workers = vec![
+            spawn("render", move || render_thread::run(&render, &tracer))?,
+            spawn("develop", move || develop_thread::run(&develop))?,
+        ];
+        Ok(Self { shared, last_request: None, requests_made: 0, threads, workers })
     }
 
     /// Asks for a picture. Equal to the last request: nothing happens. Returns at once.
-    pub fn request(&mut self, _request: RenderRequest) {}
+    pub fn request(&mut self, request: RenderRequest) {
+        if self.last_request.as_ref() == Some(&request) {
+            return;
+        }
+        self.last_request = Some(request.clone());
+        self.requests_made += 1;
+        self.shared.requests.post(request);
+    }
 
     /// Develops the film with these settings from now on, without retracing. Returns at once.
-    pub fn display(&mut self, _settings: DisplaySettings) {}
+    pub fn display(&mut self, settings: DisplaySettings) {
+        let mut display = lock(&self.shared.display);
+        if *display != settings {
+            *display = settings;
+            drop(display);
+            self.shared.develop();
+        }
+    }
 
     /// Number of different requests made so far.
     pub fn requests_made(&self) -> u64 {
-        0
+        self.requests_made
+    }
+
+    /// Threads that trace.
+    pub fn threads(&self) -> usize {
+        self.threads
     }
 
     /// The newest picture.
     pub fn picture(&self) -> Option<Arc<Picture>> {
-        None
+        lock(&self.shared.picture).clone()
     }
 
     /// Where the newest request stands.
     pub fn progress(&self) -> Progress {
-        Progress::default()
+        lock(&self.shared.progress).clone()
     }
+}
+
+impl Drop for Session {
+    fn drop(&mut self) {
+        self.shared.requests.close();
+        self.shared.negatives.close();
+        for worker in self.workers.drain(..) {
+            if worker.join().is_err() {
+                log::error!("a thread of the session had panicked");
+            }
+        }
+    }
+}
+
+fn spawn(name: &str, run: impl FnOnce() + Send + 'static) -> Result<JoinHandle<()>, RendererError> {
+    std::thread::Builder::new()
+        .name(name.to_owned())
+        .spawn(run)
+        .map_err(|error| RendererError::Invalid(format!("no thread to {name} with: {error}")))
 }

@@ -3,11 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use brilliance_renderer::error::RendererError;
-use brilliance_renderer::scene_file::Document;
+use brilliance_renderer::scene_file::{Document, ShippedScene, scenes};
 use eframe::egui::{self, Align2, FontId, Id, LayerId, Order, ViewportCommand};
 
 use super::App;
-use crate::catalogue;
 use crate::editor::Editor;
 use crate::path_dialog::{Purpose, Question};
 use crate::question::Decision;
@@ -25,17 +24,14 @@ enum Intent {
 #[derive(Clone, Debug, PartialEq)]
 enum Source {
     File(PathBuf),
-    /// Index into [`catalogue::scenes`].
-    Embedded(usize),
+    Shipped(ShippedScene),
 }
 
 impl Source {
     fn name(&self) -> String {
         match self {
             Self::File(path) => path.display().to_string(),
-            Self::Embedded(index) => {
-                catalogue::scenes().get(*index).map_or(String::new(), |scene| scene.name.clone())
-            }
+            Self::Shipped(scene) => scene.name.to_owned(),
         }
     }
 
@@ -45,13 +41,8 @@ impl Source {
             Self::File(path) => {
                 Document::open(&path).map(|document| Editor::new(document, Some(&path)))
             }
-            Self::Embedded(index) => {
-                let scenes = catalogue::scenes();
-                let scene = scenes
-                    .get(index)
-                    .ok_or_else(|| RendererError::Invalid(format!("there is no scene {index}")))?;
-                (scene.value)().map(|document| Editor::embedded(document, &scene.name))
-            }
+            Self::Shipped(scene) => Document::from_toml(scene.text, Path::new(""))
+                .map(|document| Editor::named(document, scene.name)),
         }
     }
 }
@@ -93,8 +84,11 @@ impl App {
         self.intend(Intent::Open(Source::File(path)), ctx);
     }
 
+    /// Opens the shipped scene of this index.
     pub(super) fn open_scene(&mut self, index: usize, ctx: &egui::Context) {
-        self.intend(Intent::Open(Source::Embedded(index)), ctx);
+        if let Some(scene) = scenes().get(index) {
+            self.intend(Intent::Open(Source::Shipped(*scene)), ctx);
+        }
     }
 
     pub(super) fn ask_open(&mut self, ctx: &egui::Context) {

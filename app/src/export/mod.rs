@@ -20,7 +20,7 @@ use crate::task::TaskState;
 use crate::theme;
 
 /// Longest side of a still, in pixels.
-const LARGEST_SIDE: u32 = 16_384;
+const LARGEST_SIDE: u32 = *StillSettings::SIDE.end();
 /// Largest film of a still, in bytes.
 const LARGEST_FILM: u64 = 8 << 30;
 

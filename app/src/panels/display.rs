@@ -3,7 +3,7 @@
 use brilliance_renderer::settings::{DisplaySettings, ToneCurve, WhitePoint};
 use eframe::egui::Ui;
 
-use crate::row::{SliderRow, choice, switch};
+use crate::row::{SliderRow, choice, switch, wide};
 
 /// The kinds of white point, without the temperature.
 #[derive(Clone, Copy, PartialEq)]
@@ -33,11 +33,10 @@ const NEUTRAL_KELVIN: f32 = 6500.0;
 
 /// Shows the section.
 pub(super) fn show(ui: &mut Ui, display: &mut DisplaySettings) {
-    let exposure = DisplaySettings::EXPOSURE_EV;
     SliderRow::new(
         "Exposure",
         "Brightens the picture; each stop doubles it.",
-        f64::from(*exposure.start())..=f64::from(*exposure.end()),
+        wide(&DisplaySettings::EXPOSURE_EV),
         DisplaySettings::default().exposure_ev,
     )
     .unit(" EV")
@@ -77,11 +76,10 @@ fn white_point_ui(ui: &mut Ui, white_point: &mut WhitePoint) {
         };
     }
     if let WhitePoint::Temperature(kelvin) = white_point {
-        let range = DisplaySettings::TEMPERATURE_KELVIN;
         SliderRow::new(
             "Temperature",
             "The black body that is shown as neutral: lower makes the picture bluer.",
-            f64::from(*range.start())..=f64::from(*range.end()),
+            wide(&DisplaySettings::TEMPERATURE_KELVIN),
             NEUTRAL_KELVIN,
         )
         .unit(" K")

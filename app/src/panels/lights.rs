@@ -1,21 +1,22 @@
 //! What shines on the stone.
 
+use std::f32::consts::PI;
+
 use brilliance_renderer::light::{DiscLight, Lights, SkyLight};
+use brilliance_renderer::rigs::{Rig, rigs, scaled};
 use eframe::egui::Ui;
 
-use crate::catalogue::{self, Choice};
 use crate::row::{SliderRow, combo, labelled, switch};
 
 /// Shows the section. The sliders go back to the lights of the rig in use, or to those that were
 /// `opened` with the scene.
 pub(super) fn show(ui: &mut Ui, lights: &mut Lights, opened: &Lights) {
-    let rigs = catalogue::rigs();
-    let rig = rigs.iter().find(|rig| same_rig(&rig.value, lights));
-    if let Some(chosen) = rig_ui(ui, &rigs, rig) {
-        *lights = chosen;
+    let rig = rigs().iter().find(|rig| same_rig(&(rig.lights)(), lights));
+    if let Some(chosen) = rig_ui(ui, rig) {
+        *lights = (chosen.lights)();
         return;
     }
-    let default = rig.map_or(opened, |rig| &rig.value);
+    let default = &rig.map_or_else(|| opened.clone(), |rig| (rig.lights)());
     ui.add_enabled_ui(!lights.discs.is_empty(), |ui| discs_ui(ui, lights, &default.discs));
     ambient_ui(ui, lights, default);
     observer_ui(ui, lights, default);
@@ -30,20 +31,16 @@ fn same_rig(rig: &Lights, lights: &Lights) -> bool {
             && rig.discs.iter().zip(&lights.discs).all(|(a, b)| a.direction == b.direction))
 }
 
-fn rig_ui(
-    ui: &mut Ui,
-    rigs: &[Choice<Lights>],
-    current: Option<&Choice<Lights>>,
-) -> Option<Lights> {
+fn rig_ui(ui: &mut Ui, current: Option<&Rig>) -> Option<&'static Rig> {
     let tooltip = "Puts the stone under another set of lights.";
-    let shown = current.map_or("Of this scene", |rig| rig.name.as_str());
+    let shown = current.map_or("Of this scene", |rig| rig.name);
     labelled(ui, "Lights", tooltip, |ui, label| {
         let mut chosen = None;
         combo(ui, "rig", shown, |ui| {
-            for rig in rigs {
-                let item = ui.selectable_label(rig.name == shown, &rig.name);
-                if item.on_hover_text(&rig.description).clicked() {
-                    chosen = Some(rig.value.clone());
+            for rig in rigs() {
+                let item = ui.selectable_label(rig.name == shown, rig.name);
+                if item.on_hover_text(rig.description).clicked() {
+                    chosen = Some(rig);
                 }
             }
         })
@@ -54,41 +51,47 @@ fn rig_ui(
 }
 
 fn discs_ui(ui: &mut Ui, lights: &mut Lights, default: &[DiscLight]) {
-    let radius_degrees = |disc: &DiscLight| disc.angular_radius_radians.to_degrees();
-    let mut size = mean(&lights.discs, radius_degrees);
+    let mut size = mean_radius_degrees(&lights.discs);
     let old_size = size;
     let resized = SliderRow::new(
         "Light size",
-        "Mean angular radius of the lights: small ones make sharp, colourful sparkles.",
+        "Mean angular radius of the lights at the same brightness: small ones make sharp, \
+         colourful sparkles.",
         0.05..=45.0,
-        mean(default, radius_degrees),
+        mean_radius_degrees(default),
     )
     .unit("°")
     .logarithmic()
     .decimals(3)
     .show_f32(ui, &mut size);
     if resized && old_size > 0.0 {
-        *lights = catalogue::scaled(lights, size / old_size, 1.0);
+        *lights = scaled(lights, size / old_size, 1.0, 1.0);
     }
 
-    let mut brightness = mean(&lights.discs, |disc| disc.radiance);
+    let mut brightness = brightness(&lights.discs);
     let old_brightness = brightness;
     let brightened = SliderRow::new(
         "Brightness",
-        "Mean radiance of the lights; a white paper under an even sky of 1 looks white.",
-        0.01..=10_000.0,
-        mean(default, |disc| disc.radiance),
+        "Light of all lamps together: at 1, a white sheet that faced them all would look white.",
+        0.001..=1000.0,
+        self::brightness(default),
     )
     .logarithmic()
     .decimals(3)
     .show_f32(ui, &mut brightness);
     if brightened && old_brightness > 0.0 {
-        *lights = catalogue::scaled(lights, 1.0, brightness / old_brightness);
+        *lights = scaled(lights, 1.0, brightness / old_brightness, 1.0);
     }
 }
 
-fn mean(discs: &[DiscLight], value: impl Fn(&DiscLight) -> f32) -> f32 {
-    discs.iter().map(value).sum::<f32>() / discs.len().max(1) as f32
+fn mean_radius_degrees(discs: &[DiscLight]) -> f32 {
+    let sum: f32 = discs.iter().map(|disc| disc.angular_radius_radians.to_degrees()).sum();
+    sum / discs.len().max(1) as f32
+}
+
+/// Radiance of a white matte surface that every light shines on squarely.
+fn brightness(discs: &[DiscLight]) -> f32 {
+    discs.iter().map(|disc| disc.radiance * disc.solid_angle_steradians()).sum::<f32>() / PI
 }
 
 /// The light that surrounds the stone: the hemisphere, unless the scene has an environment.

@@ -1,11 +1,10 @@
 //! The shape of the stone.
 
-use brilliance_renderer::cuts::RoundBrilliant;
+use brilliance_renderer::cuts::{RoundBrilliant, StandardProportions};
 use brilliance_renderer::scene::{MeshSource, Object, Shape};
-use eframe::egui::{RichText, Ui};
+use eframe::egui::Ui;
 
-use crate::row::{SliderRow, combo, labelled, readout};
-use crate::{catalogue, theme};
+use crate::row::{SliderRow, combo, labelled, readout, wide};
 
 /// Which object of the scene is edited.
 pub(super) fn object_ui(ui: &mut Ui, objects: &[Object], selected: &mut usize) {
@@ -54,19 +53,21 @@ fn grouped(count: usize) -> String {
 
 fn round_brilliant_ui(ui: &mut Ui, cut: &mut RoundBrilliant) {
     proportions_ui(ui, cut);
-    let default = catalogue::default_brilliant();
+    let default = RoundBrilliant::default();
     SliderRow::new(
         "Diameter",
         "Width of the stone at the girdle; it matters where the material absorbs light.",
-        0.5..=30.0,
+        wide(&RoundBrilliant::DIAMETER_MM),
         default.diameter_mm,
     )
     .unit(" mm")
+    .logarithmic()
+    .decimals(3)
     .show_f32(ui, &mut cut.diameter_mm);
     SliderRow::new(
         "Table",
         "Width of the large flat facet on top, as a part of the diameter.",
-        0.4..=0.8,
+        wide(&RoundBrilliant::TABLE),
         default.table,
     )
     .percent()
@@ -75,7 +76,7 @@ fn round_brilliant_ui(ui: &mut Ui, cut: &mut RoundBrilliant) {
     SliderRow::new(
         "Crown angle",
         "Slope of the bezel facets above the girdle: steeper gives more fire.",
-        15.0..=50.0,
+        wide(&RoundBrilliant::CROWN_ANGLE_DEGREES),
         default.crown_angle_degrees,
     )
     .unit("°")
@@ -83,7 +84,7 @@ fn round_brilliant_ui(ui: &mut Ui, cut: &mut RoundBrilliant) {
     SliderRow::new(
         "Pavilion angle",
         "Slope of the main facets below the girdle: it decides whether light returns or leaks.",
-        30.0..=55.0,
+        wide(&RoundBrilliant::PAVILION_ANGLE_DEGREES),
         default.pavilion_angle_degrees,
     )
     .unit("°")
@@ -92,76 +93,62 @@ fn round_brilliant_ui(ui: &mut Ui, cut: &mut RoundBrilliant) {
 }
 
 fn minor_facets_ui(ui: &mut Ui, cut: &mut RoundBrilliant, default: &RoundBrilliant) {
-    SliderRow::new(
-        "Star length",
-        "How far the star facets reach from the table towards the girdle.",
-        0.3..=0.8,
-        default.star_length,
-    )
-    .percent()
-    .decimals(1)
-    .show_f32(ui, &mut cut.star_length);
-    SliderRow::new(
-        "Lower halves",
-        "How far the lower half facets reach from the girdle towards the culet: longer ones make \
-         the mains narrower.",
-        0.4..=0.95,
-        default.lower_half_length,
-    )
-    .percent()
-    .decimals(1)
-    .show_f32(ui, &mut cut.lower_half_length);
-    SliderRow::new(
-        "Girdle",
-        "Thickness of the girdle at its thinnest places, as a part of the diameter.",
-        0.0..=0.1,
-        default.girdle_thickness,
-    )
-    .percent()
-    .decimals(1)
-    .show_f32(ui, &mut cut.girdle_thickness);
-    SliderRow::new(
-        "Culet",
-        "Width of the flat at the bottom point, as a part of the diameter; zero is a point.",
-        0.0..=0.2,
-        default.culet,
-    )
-    .percent()
-    .decimals(1)
-    .show_f32(ui, &mut cut.culet);
+    for (label, tooltip, range, default, value) in [
+        (
+            "Star length",
+            "How far the star facets reach from the table towards the girdle.",
+            RoundBrilliant::STAR_LENGTH,
+            default.star_length,
+            &mut cut.star_length,
+        ),
+        (
+            "Lower halves",
+            "How far the lower half facets reach from the girdle towards the culet: longer ones \
+             make the mains narrower.",
+            RoundBrilliant::LOWER_HALF_LENGTH,
+            default.lower_half_length,
+            &mut cut.lower_half_length,
+        ),
+        (
+            "Girdle",
+            "Thickness of the girdle at its thinnest places, as a part of the diameter.",
+            RoundBrilliant::GIRDLE_THICKNESS,
+            default.girdle_thickness,
+            &mut cut.girdle_thickness,
+        ),
+        (
+            "Culet",
+            "Width of the flat at the bottom point, as a part of the diameter; zero is a point.",
+            RoundBrilliant::CULET,
+            default.culet,
+            &mut cut.culet,
+        ),
+    ] {
+        SliderRow::new(label, tooltip, wide(&range), default)
+            .percent()
+            .decimals(1)
+            .show_f32(ui, value);
+    }
 }
 
-/// The named sets of proportions. The diameter stays.
+/// The published sets of proportions. The diameter stays.
 fn proportions_ui(ui: &mut Ui, cut: &mut RoundBrilliant) {
     let tooltip = "Sets all proportions at once to a published ideal.";
-    let sets = catalogue::brilliants();
-    let at_size = |set: &RoundBrilliant| RoundBrilliant { diameter_mm: cut.diameter_mm, ..*set };
-    let current = sets.iter().find(|set| at_size(&set.value) == *cut);
-    let shown = current.map_or("Custom", |set| set.name.as_str());
-    let chosen = labelled(ui, "Proportions", tooltip, |ui, label| {
-        let mut chosen = None;
-        combo(ui, "proportions", shown, |ui| {
-            for set in &sets {
-                let is_current = set.name == shown;
-                if ui
-                    .selectable_label(is_current, &set.name)
-                    .on_hover_text(&set.description)
-                    .clicked()
-                {
-                    chosen = Some(at_size(&set.value));
+    let diameter = cut.diameter_mm;
+    let sets = StandardProportions::ALL;
+    let current = sets.into_iter().find(|set| set.of_diameter(diameter) == *cut);
+    labelled(ui, "Proportions", tooltip, |ui, label| {
+        combo(ui, "proportions", current.map_or("Custom", StandardProportions::name), |ui| {
+            for set in sets {
+                let item = ui.selectable_label(current == Some(set), set.name());
+                if item.on_hover_text(set.source()).clicked() {
+                    *cut = set.of_diameter(diameter);
                 }
             }
-            ui.label(
-                RichText::new("All angles and lengths follow.").small().color(theme::TEXT_WEAK),
-            );
         })
         .labelled_by(label.id)
         .on_hover_text(tooltip);
-        chosen
     });
-    if let Some(chosen) = chosen {
-        *cut = chosen;
-    }
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use brilliance_renderer::settings::TraceSettings;
 use eframe::egui::Ui;
 
-use crate::row::{SliderRow, switch};
+use crate::row::{SliderRow, switch, whole, wide};
 
 /// Most passes that can be asked for.
 pub(crate) const MAX_PASSES: u32 = 4096;
@@ -60,12 +60,4 @@ pub(super) fn show(ui: &mut Ui, trace: &mut TraceSettings, passes: &mut u32) {
          paper.",
         &mut trace.perturb,
     );
-}
-
-fn wide(range: &std::ops::RangeInclusive<f32>) -> std::ops::RangeInclusive<f64> {
-    f64::from(*range.start())..=f64::from(*range.end())
-}
-
-fn whole(range: &std::ops::RangeInclusive<u32>) -> std::ops::RangeInclusive<f64> {
-    f64::from(*range.start())..=f64::from(*range.end())
 }

@@ -4,6 +4,7 @@ mod dispersion;
 mod library;
 
 pub use dispersion::{Dispersion, SellmeierTerm};
+pub use library::{Category, Figures, LibraryMaterial, Measurement, find, library};
 
 use crate::spectrum::Spectrum;
 

@@ -1,59 +1,26 @@
-//! Scene files: a TOML form of everything a picture needs.
+//! Scene files: a TOML form of everything a picture needs, described in `docs/scene-file.md`.
+//!
+//! Text becomes a tree of values that know their places, the tree fills plain entry types by
+//! serde, and each entry checks its values while it becomes a part of the [`Document`]. A fault on
+//! that way carries its key, from which the place is found.
 
-use std::path::Path;
+mod angle;
+mod brilliant;
+mod check;
+mod deserialize;
+mod document;
+mod fault;
+mod format;
+mod gltf_scene;
+mod light;
+mod material;
+mod mesh_file;
+mod object;
+mod settings;
+mod shipped;
+mod spectrum;
+mod tree;
+mod view;
 
-use crate::error::RendererError;
-use crate::scene::Scene;
-use crate::settings::{DisplaySettings, TraceSettings};
-
-/// Everything that makes a picture again: scene, tracing, display and the default still.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Document {
-    /// What is seen, the camera included.
-    pub scene: Scene,
-    /// How it is traced.
-    pub trace: TraceSettings,
-    /// How it is shown.
-    pub display: DisplaySettings,
-    /// The still to render.
-    pub still: StillSettings,
-}
-
-/// Size and effort of a still.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct StillSettings {
-    /// Width and height in pixels.
-    pub size: [u32; 2],
-    /// Passes.
-    pub passes: u32,
-}
-
-impl Default for StillSettings {
-    fn default() -> Self {
-        Self { size: [1280, 800], passes: 64 }
-    }
-}
-
-impl Document {
-    /// Reads a scene file (`.toml`) or a mesh (`.gltf`, `.glb`), which is placed in the default
-    /// lights.
-    ///
-    /// # Errors
-    /// Names the file, the key and the remedy.
-    pub fn open(_path: &Path) -> Result<Self, RendererError> {
-        Ok(Self::default())
-    }
-
-    /// The document as TOML; paths are written relative to `base`, the folder of the file to be.
-    pub fn to_toml(&self, _base: &Path) -> String {
-        String::new()
-    }
-
-    /// Writes the scene file by way of a temporary file.
-    ///
-    /// # Errors
-    /// The file can't be written.
-    pub fn save(&self, _path: &Path) -> Result<(), RendererError> {
-        Ok(())
-    }
-}
+pub use document::{Document, StillSettings};
+pub use shipped::{ShippedScene, scenes};

@@ -26,9 +26,23 @@ impl Bins {
 
     /// Shortest and longest wavelength of bin `index`, in nm.
     pub fn range_nm(self, index: usize) -> (f32, f32) {
-        let edge = |i: usize| {
-            LAMBDA_MIN_NM + (LAMBDA_MAX_NM - LAMBDA_MIN_NM) * (i as f32 / self.count as f32)
-        };
-        (edge(index), edge(index + 1))
+        (self.edge_nm(index) as f32, self.edge_nm(index + 1) as f32)
+    }
+
+    /// Wavelength in the middle of bin `index`, in nm.
+    pub fn centre_nm(self, index: usize) -> f64 {
+        0.5 * (self.edge_nm(index) + self.edge_nm(index + 1))
+    }
+
+    /// Wavelength at which bin `index` begins and bin `index` − 1 ends, in nm; `index` counts from
+    /// 0 to the number of bins.
+    pub(super) fn edge_nm(self, index: usize) -> f64 {
+        let (low, high) = (f64::from(LAMBDA_MIN_NM), f64::from(LAMBDA_MAX_NM));
+        low + (high - low) * index as f64 / f64::from(self.count)
+    }
+
+    /// Both ends of every bin in nm, in order.
+    pub(super) fn ranges_nm(self) -> impl Iterator<Item = (f64, f64)> {
+        (0..self.count()).map(move |index| (self.edge_nm(index), self.edge_nm(index + 1)))
     }
 }

@@ -1,0 +1,35 @@
+//! The command line: opens the window, or renders without one.
+//!
+//! Exit codes: 0 done, 1 failed (one line on the standard error says why), 2 wrong usage.
+
+mod arguments;
+mod assignment;
+mod image_size;
+mod picture_format;
+mod progress;
+mod render;
+mod report;
+mod view;
+
+use std::io::Write as _;
+use std::process::ExitCode;
+
+use arguments::{Arguments, Command};
+
+/// Runs the program with the arguments of the process.
+pub fn run() -> ExitCode {
+    env_logger::Builder::from_env(env_logger::Env::default().default_filter_or("error")).init();
+    let arguments = Arguments::parse_checked();
+    let result = match arguments.command {
+        None => view::view(arguments.file),
+        Some(Command::Render(render)) => render::render(&render),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            // Nothing is left to tell when the standard error is closed.
+            let _ = writeln!(std::io::stderr(), "brilliance: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}

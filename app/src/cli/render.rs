@@ -1,0 +1,103 @@
+//! `brilliance render`: a picture without a window.
+
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use anyhow::{anyhow, ensure};
+use brilliance_renderer::error::RendererError;
+use brilliance_renderer::scene_file::Document;
+use brilliance_renderer::session::RenderRequest;
+use brilliance_renderer::still::{Still, StillLimits};
+use brilliance_renderer::whole_file;
+
+use super::arguments::RenderArguments;
+use super::progress::Progress;
+use super::report::Report;
+
+/// Largest film in bytes: 8192×8192 pixels of 16 bins.
+const MAX_FILM_BYTES: u64 = 4 << 30;
+
+/// What [`StillLimits::threads`] takes for one thread per processor.
+const ALL_THREADS: usize = 0;
+
+/// Renders, writes the picture and the statistics, and says what was done.
+pub(super) fn render(arguments: &RenderArguments) -> anyhow::Result<()> {
+    let format = arguments.format().map_err(|fault| anyhow!(fault))?;
+    // A mistyped folder should be told now, not after an hour of tracing.
+    for path in [Some(&arguments.output), arguments.stats.as_ref()].into_iter().flatten() {
+        whole_file::check(path)?;
+    }
+
+    let document = open(arguments)?;
+    check_film(&document)?;
+    let threads = arguments.threads.unwrap_or(ALL_THREADS);
+    let still = trace(&document, StillLimits { time: arguments.time, threads })?;
+    let base = arguments.output.parent().unwrap_or(Path::new(""));
+    still.write(&arguments.output, format, &document.display, &document.to_toml(base))?;
+
+    let report = Report::new(arguments, &document, &still);
+    if let Some(path) = &arguments.stats {
+        report.write(path)?;
+    }
+    report.print()
+}
+
+/// The document of the scene file with the changes the command line asks for.
+fn open(arguments: &RenderArguments) -> anyhow::Result<Document> {
+    let overrides: Vec<String> =
+        arguments.assignments.iter().map(|assignment| assignment.text().to_owned()).collect();
+    let mut document = Document::open_with(&arguments.scene, &overrides)?;
+    if let Some(size) = arguments.size {
+        document.still.size = size.0;
+    }
+    if let Some(passes) = arguments.passes {
+        document.still.passes = passes;
+    }
+    if let Some(bins) = arguments.bins {
+        document.trace.bins = bins;
+    }
+    Ok(document)
+}
+
+/// Traces the document's still with a progress bar; Ctrl-C cancels.
+fn trace(document: &Document, limits: StillLimits) -> anyhow::Result<Still> {
+    let cancel = cancelled_by_ctrl_c()?;
+    let request = RenderRequest {
+        scene: Arc::new(document.scene.clone()),
+        camera: document.scene.camera,
+        size: document.still.size,
+        trace: document.trace.clone(),
+        pass_limit: document.still.passes,
+    };
+    let progress = Progress::new(request.pass_limit);
+    let still = Still::render(&request, limits, &cancel, |passes, _| progress.show(passes));
+    drop(progress);
+    still.map_err(|error| match error {
+        RendererError::Cancelled => anyhow!("cancelled; no picture was written"),
+        error => error.into(),
+    })
+}
+
+/// A flag that Ctrl-C sets from now on.
+fn cancelled_by_ctrl_c() -> anyhow::Result<Arc<AtomicBool>> {
+    let cancel = Arc::new(AtomicBool::new(false));
+    let flag = Arc::clone(&cancel);
+    ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed))?;
+    Ok(cancel)
+}
+
+/// Refuses a film that would not fit into the memory of most machines.
+fn check_film(document: &Document) -> anyhow::Result<()> {
+    let [width, height] = document.still.size;
+    let bins = document.trace.bins;
+    let bytes = u64::from(width) * u64::from(height) * u64::from(bins) * size_of::<f32>() as u64;
+    ensure!(
+        bytes <= MAX_FILM_BYTES,
+        "{width}x{height} pixels with {bins} spectral bins need {:.1} GiB, more than the {} GiB \
+         a film may take; ask for a smaller --size or fewer --bins",
+        bytes as f64 / f64::from(1 << 30),
+        MAX_FILM_BYTES >> 30,
+    );
+    Ok(())
+}

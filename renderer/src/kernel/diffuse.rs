@@ -1,0 +1,98 @@
+//! Opaque diffuse surfaces under discs and sky, with shadow rays.
+
+use std::f32::consts::{FRAC_1_PI, TAU};
+
+use glam::Vec3;
+
+use crate::kernel::deposit::deposit_reflected;
+use crate::kernel::intersect::is_occluded;
+use crate::kernel::ray::{GROUND, Hit, Ray};
+use crate::kernel::rng;
+use crate::kernel::trace::Walk;
+use crate::packed::{NONE, PackedDisc};
+
+/// Deposits the light that the surface at `hit` sends back along `ray`, which ends there.
+///
+/// Each disc counts with its solid angle (Thomas 1986: 2π(1 − √(1 − s²))) and is asked for by one
+/// shadow ray to a point on it that changes from pass to pass; so is the sky.
+#[inline]
+pub fn shade_diffuse(walk: &mut Walk<'_>, ray: &Ray, hit: &Hit) {
+    let scene = walk.scene;
+    let reflectance = reflectance_at(walk, ray, hit);
+    let normal = if ray.direction.dot(hit.normal) > 0.0 { -hit.normal } else { hit.normal };
+    for (i, disc) in scene.discs.iter().enumerate() {
+        let sample = rng::sample_2d(walk.next_seed(), walk.pass.index);
+        let direction = direction_on_disc(disc, sample);
+        let cos = direction.dot(normal);
+        if cos > 0.0 && !is_shadowed(walk, ray, hit, direction) {
+            let scale = FRAC_1_PI * disc.solid_angle * cos;
+            deposit_reflected(walk, ray, scene.discs[i].spectrum, reflectance, scale);
+        }
+    }
+    let sky = &scene.sky;
+    if sky.hemisphere == NONE && sky.environment == NONE {
+        return;
+    }
+    let sample = rng::sample_2d(walk.next_seed(), walk.pass.index);
+    let direction = direction_by_cosine(normal, sample);
+    if is_shadowed(walk, ray, hit, direction) {
+        return;
+    }
+    if sky.environment != NONE {
+        deposit_reflected(walk, ray, sky.environment, reflectance, 1.0);
+    }
+    if sky.hemisphere != NONE && direction.z > 0.0 {
+        deposit_reflected(walk, ray, sky.hemisphere, reflectance, 1.0);
+    }
+}
+
+/// Row of the reflectance of the surface where the ray ends.
+#[inline]
+fn reflectance_at(walk: &Walk<'_>, ray: &Ray, hit: &Hit) -> u32 {
+    let scene = walk.scene;
+    if hit.instance != GROUND {
+        let material = scene.instances[hit.instance as usize].material;
+        return scene.materials[material as usize].reflectance;
+    }
+    let square_x = (ray.origin.x / scene.ground.square).floor();
+    let square_y = (ray.origin.y / scene.ground.square).floor();
+    let parity = (square_x + square_y) * 0.5;
+    let is_odd = parity.fract() != 0.0;
+    scene.ground.reflectance[usize::from(is_odd)]
+}
+
+#[inline]
+fn is_shadowed(walk: &mut Walk<'_>, ray: &Ray, hit: &Hit, direction: Vec3) -> bool {
+    walk.tally.segments += 1;
+    let mut shadow_ray = Ray::white(ray.origin, direction);
+    shadow_ray.instance = hit.instance;
+    shadow_ray.facet = hit.facet;
+    is_occluded(walk.scene, &shadow_ray)
+}
+
+/// A direction evenly distributed over the disc's solid angle.
+#[inline]
+fn direction_on_disc(disc: &PackedDisc, [u, v]: [f32; 2]) -> Vec3 {
+    // 1 − cos of the radius, without the cancellation of the plain difference.
+    let height = disc.sin_squared_radius / (1.0 + disc.cos_radius);
+    let fall = u * height;
+    let sin = (fall * (2.0 - fall)).max(0.0).sqrt();
+    let (sin_azimuth, cos_azimuth) = (TAU * v).sin_cos();
+    let (tangent, bitangent) = disc.direction.any_orthonormal_pair();
+    (tangent * (sin * cos_azimuth)
+        + bitangent * (sin * sin_azimuth)
+        + disc.direction * (1.0 - fall))
+        .normalize_or_zero()
+}
+
+/// A direction about `normal` with a density proportional to its cosine.
+#[inline]
+fn direction_by_cosine(normal: Vec3, [u, v]: [f32; 2]) -> Vec3 {
+    let (sin_azimuth, cos_azimuth) = (TAU * v).sin_cos();
+    let radius = u.sqrt();
+    let (tangent, bitangent) = normal.any_orthonormal_pair();
+    (tangent * (radius * cos_azimuth)
+        + bitangent * (radius * sin_azimuth)
+        + normal * (1.0 - u).max(0.0).sqrt())
+    .normalize_or_zero()
+}

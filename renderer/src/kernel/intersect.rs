@@ -1,0 +1,124 @@
+//! The nearest surface along a ray, over all bodies and the ground.
+
+use crate::kernel::convex;
+use crate::kernel::mesh::{self, BoxRay, Sides};
+use crate::kernel::ray::{GROUND, Hit, Ray};
+use crate::packed::{CONVEX, Instance, NONE, PackedScene};
+
+/// Depth of the explicit stack of top-level nodes.
+const TOP_STACK: usize = 64;
+
+/// How far, as a part of the way to the middle of the body, a lost ray is moved inwards.
+const NUDGE: f32 = 1e-5;
+
+/// The nearest surface along `ray`; [`Hit::MISS`] where there is none.
+#[inline]
+pub fn find_intersection(scene: &PackedScene, ray: &Ray) -> Hit {
+    if ray.inside == 1 && scene.instances[ray.instance as usize].interior_is_clear == 1 {
+        return meet_instance(scene, ray, ray.instance, f32::INFINITY);
+    }
+    let ground = meet_ground(scene, ray);
+    let bodies = meet_bodies(scene, ray, ground.distance, false);
+    if bodies.instance == NONE { ground } else { bodies }
+}
+
+/// Whether anything stands in the way of `ray`.
+#[inline]
+pub fn is_occluded(scene: &PackedScene, ray: &Ray) -> bool {
+    meet_ground(scene, ray).instance != NONE
+        || meet_bodies(scene, ray, f32::INFINITY, true).instance != NONE
+}
+
+/// A ray that a mesh seems not to let out, tried again from slightly further inside.
+#[inline]
+pub fn find_lost_exit(scene: &PackedScene, ray: &Ray) -> Hit {
+    let center = scene.instances[ray.instance as usize].center;
+    let nudged = Ray { origin: ray.origin + (center - ray.origin) * NUDGE, facet: NONE, ..*ray };
+    meet_instance(scene, &nudged, ray.instance, f32::INFINITY)
+}
+
+/// The nearest body, or with `any` the first that is found.
+#[inline]
+fn meet_bodies(scene: &PackedScene, ray: &Ray, limit: f32, any: bool) -> Hit {
+    let mut nearest = Hit { distance: limit, ..Hit::MISS };
+    if scene.top_nodes.is_empty() {
+        return Hit::MISS;
+    }
+    let box_ray = BoxRay::new(ray.origin, ray.direction);
+    let mut stack = [0_u32; TOP_STACK];
+    let mut count = 1;
+    while count > 0 {
+        count -= 1;
+        let node = &scene.top_nodes[stack[count] as usize];
+        if box_ray.entry(node, nearest.distance) == f32::INFINITY {
+            continue;
+        }
+        if node.primitive_count == 0 {
+            if count + 2 <= TOP_STACK {
+                stack[count] = node.first + 1;
+                stack[count + 1] = node.first;
+                count += 2;
+            }
+            continue;
+        }
+        for slot in node.first..node.first + node.primitive_count {
+            let hit = meet_instance(scene, ray, scene.top_order[slot as usize], nearest.distance);
+            if hit.distance < nearest.distance {
+                nearest = hit;
+                if any {
+                    return nearest;
+                }
+            }
+        }
+    }
+    nearest
+}
+
+/// Where the ray meets one body, from the side that the ray is on.
+#[inline]
+fn meet_instance(scene: &PackedScene, ray: &Ray, index: u32, limit: f32) -> Hit {
+    let instance = &scene.instances[index as usize];
+    let has_left_it = ray.instance == index;
+    let is_inside = has_left_it && ray.inside == 1;
+    let mut hit = if instance.kind == CONVEX {
+        if is_inside {
+            convex::exit(scene, instance, ray)
+        } else if has_left_it {
+            // What leaves a convex solid does not come back.
+            Hit::MISS
+        } else {
+            convex::entry(scene, instance, ray)
+        }
+    } else {
+        let left_facet = if has_left_it { ray.facet } else { NONE };
+        mesh::nearest(scene, instance, ray, left_facet, sides(scene, instance, is_inside), limit)
+    };
+    if hit.facet != NONE {
+        hit.instance = index;
+    }
+    hit
+}
+
+#[inline]
+fn sides(scene: &PackedScene, instance: &Instance, is_inside: bool) -> Sides {
+    if scene.materials[instance.material as usize].index_table == NONE {
+        Sides::Both
+    } else if is_inside {
+        Sides::Back
+    } else {
+        Sides::Front
+    }
+}
+
+#[inline]
+fn meet_ground(scene: &PackedScene, ray: &Ray) -> Hit {
+    if scene.ground.reflectance[0] == NONE || ray.instance == GROUND {
+        return Hit::MISS;
+    }
+    let distance = (scene.ground.height - ray.origin.z) / ray.direction.z;
+    if distance > 0.0 && distance.is_finite() {
+        Hit { distance, instance: GROUND, facet: 0, normal: glam::Vec3::Z }
+    } else {
+        Hit::MISS
+    }
+}

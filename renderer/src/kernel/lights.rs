@@ -1,0 +1,106 @@
+//! What a ray sees that meets nothing: discs, hemisphere, environment, the observer's shadow.
+
+use glam::Vec3;
+
+use crate::kernel::deposit::deposit;
+use crate::kernel::ray::Ray;
+use crate::kernel::trace::Walk;
+use crate::packed::{NONE, PackedDisc};
+
+/// A cone of directions: a light's disc or the observer's shadow.
+#[derive(Clone, Copy, Debug)]
+pub struct Cone {
+    /// Unit vector along the middle.
+    pub center: Vec3,
+    /// Cosine of the half-angle, which is at most 90°.
+    pub cos_radius: f32,
+    /// Squared sine of the half-angle: keeps the digits that the cosine of a small angle loses.
+    pub sin_squared_radius: f32,
+}
+
+/// The part of the ray's fan, in 0..=1, that lies within the cone (the paper's `overlap_amount`).
+///
+/// The fan is the directions `direction + u·spread`, u in −1..=1. It is inside where
+/// |(direction + u·spread) × center|² ≤ sin²·|direction + u·spread|², a quadratic in u.
+#[inline]
+pub fn overlap_amount(ray: &Ray, cone: &Cone) -> f32 {
+    let along = ray.direction.dot(cone.center);
+    let spread_squared = ray.spread.length_squared();
+    // The cosine changes at most as fast as the direction itself.
+    if along <= 0.0 || along + spread_squared.sqrt() < cone.cos_radius {
+        return 0.0;
+    }
+    let off_center = ray.direction.cross(cone.center);
+    let c = off_center.length_squared() - cone.sin_squared_radius;
+    if spread_squared < 1e-14 {
+        return f32::from(u8::from(c <= 0.0));
+    }
+    let sideways = ray.spread.cross(cone.center);
+    let a = sideways.length_squared() - cone.sin_squared_radius * spread_squared;
+    let b = off_center.dot(sideways) - cone.sin_squared_radius * ray.direction.dot(ray.spread);
+    let discriminant = b * b - a * c;
+    if a <= 0.0 || discriminant <= 0.0 {
+        // The fan's great circle does not cross the cone's edge on this side.
+        return f32::from(u8::from(c <= 0.0));
+    }
+    let root = discriminant.sqrt();
+    let low = ((-b - root) / a).max(-1.0);
+    let high = ((-b + root) / a).min(1.0);
+    (0.5 * (high - low)).clamp(0.0, 1.0)
+}
+
+/// The part of the ray's fan, in 0..=1, that points into the upper half space.
+#[inline]
+pub fn overlap_hemisphere(ray: &Ray) -> f32 {
+    let slope = ray.spread.z;
+    if slope.abs() < 1e-12 {
+        return f32::from(u8::from(ray.direction.z > 0.0));
+    }
+    let above_low_end = 0.5 * (1.0 + ray.direction.z / slope.abs());
+    above_low_end.clamp(0.0, 1.0)
+}
+
+/// The directions of a disc light.
+#[inline]
+pub fn disc_cone(disc: &PackedDisc) -> Cone {
+    Cone {
+        center: disc.direction,
+        cos_radius: disc.cos_radius,
+        sin_squared_radius: disc.sin_squared_radius,
+    }
+}
+
+/// Deposits what the ray sees where it meets no surface (the paper's `ray_light`).
+#[inline]
+pub fn ray_light(walk: &mut Walk<'_>, ray: &Ray) {
+    let scene = walk.scene;
+    let sky = &scene.sky;
+    if ray.depth == 0 && sky.backdrop != NONE {
+        deposit(walk, ray, sky.backdrop, 1.0);
+        return;
+    }
+    for disc in &scene.discs {
+        let amount = overlap_amount(ray, &disc_cone(disc));
+        if amount > 0.0 {
+            deposit(walk, ray, disc.spectrum, amount);
+        }
+    }
+    let mut visible = 1.0;
+    if sky.sin_squared_observer_shadow > 0.0 {
+        let head = Cone {
+            center: walk.pass.observer,
+            cos_radius: sky.cos_observer_shadow,
+            sin_squared_radius: sky.sin_squared_observer_shadow,
+        };
+        visible -= overlap_amount(ray, &head);
+    }
+    if sky.environment != NONE && visible > 0.0 {
+        deposit(walk, ray, sky.environment, visible);
+    }
+    if sky.hemisphere != NONE && visible > 0.0 {
+        let amount = overlap_hemisphere(ray);
+        if amount > 0.0 {
+            deposit(walk, ray, sky.hemisphere, visible * amount);
+        }
+    }
+}

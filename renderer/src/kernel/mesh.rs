@@ -1,0 +1,187 @@
+//! Rays and triangle meshes: a binary hierarchy with watertight triangles.
+
+use glam::Vec3;
+
+use crate::kernel::ray::{Hit, Ray};
+use crate::packed::{BvhNode, Instance, NONE, PackedScene, PackedTriangle};
+
+/// Depth of the explicit stack of nodes; obvhs builds trees of depth below 96.
+pub const NODE_STACK: usize = 96;
+
+/// Enlarges the far end of a slab so that rounding can't skip a box (Ize 2013).
+const SLAB_ROUNDING: f32 = 1.000_000_4;
+
+/// Which side of a surface may be met.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sides {
+    /// Against the outward normal: a ray outside enters.
+    Front,
+    /// Along the outward normal: a ray inside leaves.
+    Back,
+    /// Either: an opaque surface.
+    Both,
+}
+
+/// A ray as node boxes see it.
+#[derive(Clone, Copy, Debug)]
+pub struct BoxRay {
+    origin: Vec3,
+    inverse_direction: Vec3,
+}
+
+impl BoxRay {
+    /// For a ray from `origin` along `direction`, which may have zero components.
+    #[inline]
+    pub fn new(origin: Vec3, direction: Vec3) -> Self {
+        Self { origin, inverse_direction: direction.recip() }
+    }
+
+    /// Distance at which the ray enters the node's box, infinite for a miss or an entry beyond
+    /// `limit`.
+    #[inline]
+    pub fn entry(&self, node: &BvhNode, limit: f32) -> f32 {
+        let t0 = (node.min - self.origin) * self.inverse_direction;
+        let t1 = (node.max - self.origin) * self.inverse_direction;
+        // min and max that ignore the NaN of 0·∞ keep rays in the plane of a box's side.
+        let near = t0.x.min(t1.x).max(t0.y.min(t1.y)).max(t0.z.min(t1.z)).max(0.0);
+        let far = t0.x.max(t1.x).min(t0.y.max(t1.y)).min(t0.z.max(t1.z)) * SLAB_ROUNDING;
+        if near <= far && near <= limit { near } else { f32::INFINITY }
+    }
+}
+
+/// Permutation and shear that lay a ray along +z (Woop, Benthin, Wald 2013).
+#[derive(Clone, Copy, Debug)]
+struct Shear {
+    axes: [usize; 3],
+    scale: Vec3,
+}
+
+impl Shear {
+    #[inline]
+    fn new(direction: Vec3) -> Self {
+        let z = direction.abs().max_position();
+        let (mut x, mut y) = ((z + 1) % 3, (z + 2) % 3);
+        if direction[z] < 0.0 {
+            (x, y) = (y, x);
+        }
+        let scale = Vec3::new(direction[x], direction[y], 1.0) / direction[z];
+        Self { axes: [x, y, z], scale }
+    }
+
+    /// The point relative to the ray's origin, in the sheared frame.
+    #[inline]
+    fn apply(&self, point: Vec3) -> Vec3 {
+        let [x, y, z] = self.axes;
+        Vec3::new(
+            point[x] - self.scale.x * point[z],
+            point[y] - self.scale.y * point[z],
+            self.scale.z * point[z],
+        )
+    }
+}
+
+/// Distance to the triangle, infinite for a miss. Neighbouring triangles leave no gap: their
+/// common edge is judged by the same arithmetic.
+#[inline]
+fn triangle_distance(origin: Vec3, shear: &Shear, triangle: &PackedTriangle) -> f32 {
+    let a = shear.apply(triangle.a - origin);
+    let b = shear.apply(triangle.b - origin);
+    let c = shear.apply(triangle.c - origin);
+    let u = c.x * b.y - c.y * b.x;
+    let v = a.x * c.y - a.y * c.x;
+    let w = b.x * a.y - b.y * a.x;
+    let has_negative = u < 0.0 || v < 0.0 || w < 0.0;
+    let has_positive = u > 0.0 || v > 0.0 || w > 0.0;
+    let determinant = u + v + w;
+    if (has_negative && has_positive) || determinant == 0.0 {
+        return f32::INFINITY;
+    }
+    let distance = (u * a.z + v * b.z + w * c.z) / determinant;
+    if distance >= 0.0 { distance } else { f32::INFINITY }
+}
+
+/// The nearest triangle of the mesh along the ray, closer than `limit`, met from one of `sides`.
+///
+/// `left_facet` is the facet the ray has just left, which it can't meet again, or [`NONE`].
+#[inline]
+pub fn nearest(
+    scene: &PackedScene,
+    instance: &Instance,
+    ray: &Ray,
+    left_facet: u32,
+    sides: Sides,
+    limit: f32,
+) -> Hit {
+    let [row_x, row_y, row_z] = instance.object_from_world;
+    let point = ray.origin.extend(1.0);
+    let vector = ray.direction.extend(0.0);
+    let origin = Vec3::new(row_x.dot(point), row_y.dot(point), row_z.dot(point));
+    let direction = Vec3::new(row_x.dot(vector), row_y.dot(vector), row_z.dot(vector));
+    let shear = Shear::new(direction);
+    let box_ray = BoxRay::new(origin, direction);
+
+    let mut hit = Hit { distance: limit, ..Hit::MISS };
+    let mut stack = [0_u32; NODE_STACK];
+    let mut count = 0;
+    let mut current = instance.first;
+    if box_ray.entry(&scene.nodes[current as usize], limit) == f32::INFINITY {
+        return Hit::MISS;
+    }
+    loop {
+        let node = &scene.nodes[current as usize];
+        if node.primitive_count > 0 {
+            for i in node.first..node.first + node.primitive_count {
+                let triangle = &scene.triangles[i as usize];
+                if triangle.facet == left_facet || !faces(triangle, direction, sides) {
+                    continue;
+                }
+                let distance = triangle_distance(origin, &shear, triangle);
+                if distance < hit.distance {
+                    hit.distance = distance;
+                    hit.facet = triangle.facet;
+                    hit.normal = triangle.normal();
+                }
+            }
+        } else {
+            let (mut near, mut far) = (node.first, node.first + 1);
+            let mut near_entry = box_ray.entry(&scene.nodes[near as usize], hit.distance);
+            let mut far_entry = box_ray.entry(&scene.nodes[far as usize], hit.distance);
+            if far_entry < near_entry {
+                (near, far) = (far, near);
+                (near_entry, far_entry) = (far_entry, near_entry);
+            }
+            if near_entry < f32::INFINITY {
+                if far_entry < f32::INFINITY && count < NODE_STACK {
+                    stack[count] = far;
+                    count += 1;
+                }
+                current = near;
+                continue;
+            }
+        }
+        if count == 0 {
+            break;
+        }
+        count -= 1;
+        current = stack[count];
+    }
+    if hit.facet == NONE {
+        return Hit::MISS;
+    }
+    // The inverse transpose of the world matrix, up to a scale.
+    let normal = row_x.truncate() * hit.normal.x
+        + row_y.truncate() * hit.normal.y
+        + row_z.truncate() * hit.normal.z;
+    hit.normal = normal.normalize_or_zero();
+    hit
+}
+
+#[inline]
+fn faces(triangle: &PackedTriangle, direction: Vec3, sides: Sides) -> bool {
+    let along = triangle.normal().dot(direction);
+    match sides {
+        Sides::Front => along < 0.0,
+        Sides::Back => along > 0.0,
+        Sides::Both => true,
+    }
+}

@@ -1,0 +1,22 @@
+//! The tracing kernel: Thomas 1986 as small pure functions.
+//!
+//! Nothing here allocates, recurses or panics, and nothing uses what a shader lacks: f32, u32,
+//! `Vec3`, slices that stand for storage buffers, one explicit stack. Each file is the twin of
+//! a shader module to be.
+//!
+//! The flow of one camera ray:
+//! [`camera`] → [`trace`] ⟲ ([`intersect`] → [`fork`] or [`diffuse`] or [`lights`] → [`deposit`]).
+
+pub mod camera;
+pub mod convex;
+pub mod deposit;
+pub mod diffuse;
+pub mod fork;
+pub mod interface;
+pub mod intersect;
+pub mod lights;
+pub mod mesh;
+pub mod ray;
+pub mod rng;
+pub mod spread;
+pub mod trace;

@@ -1,0 +1,235 @@
+//! What the tracers read: the scene flattened into plain arrays.
+//!
+//! Every struct is `repr(C)` and free of padding so that a GPU can be handed the same bytes.
+
+mod bodies;
+mod spectra;
+
+use bytemuck::{Pod, Zeroable};
+use glam::{Vec3, Vec4};
+
+use crate::error::RendererError;
+use crate::scene::Scene;
+use crate::spectrum::Bins;
+
+/// Number of planes tested at a time.
+pub const PLANES_PER_BLOCK: usize = 8;
+/// Entries of an index table: one per nm from 380 to 730.
+pub const INDEX_TABLE_LEN: usize = 351;
+/// The index of nothing: no instance, no facet, no material.
+pub const NONE: u32 = u32::MAX;
+
+/// Eight facet planes side by side; unused lanes have normal 0 and are never met.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct PlaneBlock {
+    /// x of the outward unit normals.
+    pub nx: [f32; PLANES_PER_BLOCK],
+    /// y of the outward unit normals.
+    pub ny: [f32; PLANES_PER_BLOCK],
+    /// z of the outward unit normals.
+    pub nz: [f32; PLANES_PER_BLOCK],
+    /// Distances from the origin of the world along the normals.
+    pub distance: [f32; PLANES_PER_BLOCK],
+}
+
+/// A node of a bounding volume hierarchy; two children side by side, or a run of primitives.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct BvhNode {
+    /// Lower corner of the box.
+    pub min: Vec3,
+    /// Primitives of a leaf; 0 for an inner node.
+    pub primitive_count: u32,
+    /// Upper corner of the box.
+    pub max: Vec3,
+    /// First child or first primitive.
+    pub first: u32,
+}
+
+/// A triangle in the frame of its mesh.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct PackedTriangle {
+    /// First corner.
+    pub a: Vec3,
+    /// The flat facet that the triangle is part of.
+    pub facet: u32,
+    /// Second corner.
+    pub b: Vec3,
+    /// x of the outward unit normal.
+    pub normal_x: f32,
+    /// Third corner.
+    pub c: Vec3,
+    /// y of the outward unit normal.
+    pub normal_y: f32,
+    /// z of the outward unit normal.
+    pub normal_z: f32,
+    /// Fills the struct to 64 bytes.
+    pub padding: [u32; 3],
+}
+
+impl PackedTriangle {
+    /// The outward unit normal.
+    pub fn normal(&self) -> Vec3 {
+        Vec3::new(self.normal_x, self.normal_y, self.normal_z)
+    }
+}
+
+/// [`Instance::kind`] of a convex solid: `first` and `count` are plane blocks, in world space.
+pub const CONVEX: u32 = 0;
+/// [`Instance::kind`] of a mesh: `first` is the root node of its hierarchy.
+pub const MESH: u32 = 1;
+
+/// One body of the scene.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct Instance {
+    /// Rows of the matrix that takes world points into the frame of the mesh.
+    pub object_from_world: [Vec4; 3],
+    /// [`CONVEX`] or [`MESH`].
+    pub kind: u32,
+    /// First plane block or root node.
+    pub first: u32,
+    /// Number of plane blocks.
+    pub count: u32,
+    /// Index into the materials.
+    pub material: u32,
+    /// A point inside the body's bounds, towards which a lost ray is nudged.
+    pub center: Vec3,
+    /// 1 where nothing else reaches into the body's bounds, so that a ray inside meets only it.
+    pub interior_is_clear: u32,
+}
+
+/// Optical properties; spectra are rows of [`PackedScene::spectra`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct PackedMaterial {
+    /// Row of the index table, or [`NONE`] for an opaque diffuse material.
+    pub index_table: u32,
+    /// Row of the absorption coefficient per mm, or [`NONE`].
+    pub absorption: u32,
+    /// Row of the reflectance, or [`NONE`].
+    pub reflectance: u32,
+    /// Fills the struct to 16 bytes.
+    pub padding: u32,
+}
+
+/// A distant disc.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct PackedDisc {
+    /// Unit vector towards the light.
+    pub direction: Vec3,
+    /// Cosine of the angular radius.
+    pub cos_radius: f32,
+    /// Squared sine of the angular radius.
+    pub sin_squared_radius: f32,
+    /// Solid angle in steradians.
+    pub solid_angle: f32,
+    /// Row of the radiance.
+    pub spectrum: u32,
+    /// Fills the struct to 32 bytes.
+    pub padding: u32,
+}
+
+/// The checkered plane.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct PackedGround {
+    /// z of the plane.
+    pub height: f32,
+    /// Side of a square.
+    pub square: f32,
+    /// Rows of the two reflectances; [`NONE`] where there is no ground.
+    pub reflectance: [u32; 2],
+}
+
+/// The lights that have no place, and what the tracer must know of all lights.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct PackedSky {
+    /// Row of the hemisphere's radiance, or [`NONE`].
+    pub hemisphere: u32,
+    /// Row of the environment's radiance, or [`NONE`].
+    pub environment: u32,
+    /// Row of the backdrop's radiance, or [`NONE`].
+    pub backdrop: u32,
+    /// Angular diameter of the smallest disc in radians; π where there is none.
+    pub light_spread: f32,
+    /// Cosine of the half-angle of the observer's shadow.
+    pub cos_observer_shadow: f32,
+    /// Squared sine of the half-angle of the observer's shadow; 0 where there is none.
+    pub sin_squared_observer_shadow: f32,
+    /// Fills the struct to 32 bytes.
+    pub padding: [u32; 2],
+}
+
+/// A scene ready for tracing.
+#[derive(Clone, Debug)]
+pub struct PackedScene {
+    /// The film's division of the spectrum, which the rows of `spectra` follow.
+    pub bins: Bins,
+    /// Bodies.
+    pub instances: Vec<Instance>,
+    /// Hierarchy over the bodies; node 0 is the root, empty where there are none.
+    pub top_nodes: Vec<BvhNode>,
+    /// Instance index per leaf slot of `top_nodes`.
+    pub top_order: Vec<u32>,
+    /// Planes of all convex solids.
+    pub planes: Vec<PlaneBlock>,
+    /// Hierarchies of all meshes.
+    pub nodes: Vec<BvhNode>,
+    /// Triangles of all meshes, in leaf order.
+    pub triangles: Vec<PackedTriangle>,
+    /// Materials.
+    pub materials: Vec<PackedMaterial>,
+    /// n(λ) at every nm, [`INDEX_TABLE_LEN`] per dielectric.
+    pub index_tables: Vec<f32>,
+    /// Mean values per bin: radiances, reflectances, absorption coefficients.
+    pub spectra: Vec<f32>,
+    /// Disc lights.
+    pub discs: Vec<PackedDisc>,
+    /// Lights without a place.
+    pub sky: PackedSky,
+    /// The ground.
+    pub ground: PackedGround,
+}
+
+impl PackedScene {
+    /// Flattens `scene` for a film of `bins`.
+    ///
+    /// # Errors
+    /// An object that is no closed body, or a value that is out of its range; the text names the
+    /// object or light.
+    pub fn new(scene: &Scene, bins: Bins) -> Result<Self, RendererError> {
+        let mut spectra = spectra::SpectrumRows::new(bins);
+        let materials = spectra::pack_materials(scene, &mut spectra)?;
+        let bodies = bodies::pack(scene, &materials.of_object)?;
+        let discs = spectra::pack_discs(&scene.lights, &mut spectra)?;
+        let sky = spectra::pack_sky(&scene.lights, &mut spectra)?;
+        let ground = spectra::pack_ground(scene.ground.as_ref(), &mut spectra)?;
+        Ok(Self {
+            bins,
+            instances: bodies.instances,
+            top_nodes: bodies.top_nodes,
+            top_order: bodies.top_order,
+            planes: bodies.planes,
+            nodes: bodies.nodes,
+            triangles: bodies.triangles,
+            materials: materials.materials,
+            index_tables: materials.index_tables,
+            spectra: spectra.into_values(),
+            discs,
+            sky,
+            ground,
+        })
+    }
+
+    /// The values of row `row`, one per bin.
+    #[inline]
+    pub fn spectrum(&self, row: u32) -> &[f32] {
+        let start = row as usize * self.bins.count();
+        &self.spectra[start..start + self.bins.count()]
+    }
+}

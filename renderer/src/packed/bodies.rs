@@ -1,0 +1,155 @@
+//! Packing of everything with a surface: convex solids as planes, meshes as hierarchies.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use glam::{DVec3, Mat3, Vec3, Vec4};
+
+use super::{BvhNode, CONVEX, Instance, MESH, PLANES_PER_BLOCK, PackedTriangle, PlaneBlock};
+use crate::accel::{Bounds, build_hierarchy};
+use crate::error::RendererError;
+use crate::mesh::Mesh;
+use crate::scene::{Object, Scene, Shape, Transform};
+use crate::solid::{HalfSpace, Solid};
+
+#[derive(Default)]
+pub(super) struct PackedBodies {
+    pub(super) instances: Vec<Instance>,
+    pub(super) top_nodes: Vec<BvhNode>,
+    pub(super) top_order: Vec<u32>,
+    pub(super) planes: Vec<PlaneBlock>,
+    pub(super) nodes: Vec<BvhNode>,
+    pub(super) triangles: Vec<PackedTriangle>,
+}
+
+/// Packs the objects; `materials` is the packed material of each.
+pub(super) fn pack(scene: &Scene, materials: &[u32]) -> Result<PackedBodies, RendererError> {
+    let mut bodies = PackedBodies::default();
+    let mut bounds = Vec::with_capacity(scene.objects.len());
+    let mut mesh_roots = HashMap::new();
+    for (object, &material) in scene.objects.iter().zip(materials) {
+        check_transform(object)?;
+        let half_spaces = match &object.shape {
+            Shape::Mesh(source) => {
+                let root = *mesh_roots
+                    .entry(Arc::as_ptr(&source.mesh))
+                    .or_insert_with(|| bodies.push_mesh(&source.mesh));
+                bounds.push(bodies.push_mesh_instance(root, &source.mesh, object, material));
+                continue;
+            }
+            Shape::RoundBrilliant(cut) => cut.half_spaces(),
+            Shape::Polyhedron(half_spaces) => Ok(half_spaces.clone()),
+        };
+        let solid = half_spaces
+            .and_then(|half_spaces| Solid::from_half_spaces(&half_spaces))
+            .map_err(|fault| RendererError::Invalid(format!("{}: {fault}", object.name)))?;
+        bounds.push(bodies.push_convex(&solid, object, material));
+    }
+    bodies.mark_clear_interiors(&bounds, scene.ground.as_ref().map(|ground| ground.height));
+    (bodies.top_nodes, bodies.top_order) = build_hierarchy(&bounds);
+    Ok(bodies)
+}
+
+fn check_transform(object: &Object) -> Result<(), RendererError> {
+    let Transform { translation, rotation, scale } = object.transform;
+    if translation.is_finite() && rotation.is_normalized() && scale > 0.0 && scale.is_finite() {
+        return Ok(());
+    }
+    Err(RendererError::Invalid(format!(
+        "{}: the transform must be finite, with a unit rotation and a scale above 0",
+        object.name
+    )))
+}
+
+impl PackedBodies {
+    fn push_convex(&mut self, solid: &Solid, object: &Object, material: u32) -> Bounds {
+        let first = self.planes.len() as u32;
+        let planes: Vec<_> =
+            solid.facets.iter().map(|facet| world_plane(&facet.half_space, object)).collect();
+        self.planes.extend(planes.chunks(PLANES_PER_BLOCK).map(plane_block));
+        let bounds = Bounds::of(
+            solid.vertices.iter().map(|vertex| object.transform.point(vertex.as_vec3())),
+        );
+        self.instances.push(Instance {
+            object_from_world: [Vec4::ZERO; 3],
+            kind: CONVEX,
+            first,
+            count: self.planes.len() as u32 - first,
+            material,
+            center: bounds.center(),
+            interior_is_clear: 0,
+        });
+        bounds
+    }
+
+    /// Appends the mesh's hierarchy and returns its root node.
+    fn push_mesh(&mut self, mesh: &Mesh) -> u32 {
+        let root = self.nodes.len() as u32;
+        let first_triangle = self.triangles.len() as u32;
+        let hierarchy = mesh.hierarchy();
+        self.nodes.extend(hierarchy.nodes.iter().map(|node| {
+            let offset = if node.primitive_count == 0 { root } else { first_triangle };
+            BvhNode { first: node.first + offset, ..*node }
+        }));
+        self.triangles.extend_from_slice(&hierarchy.triangles);
+        root
+    }
+
+    fn push_mesh_instance(
+        &mut self,
+        root: u32,
+        mesh: &Mesh,
+        object: &Object,
+        material: u32,
+    ) -> Bounds {
+        let Transform { translation, rotation, scale } = object.transform;
+        let inverse = Mat3::from_quat(rotation.conjugate()) * (1.0 / scale);
+        let offset = -(inverse * translation);
+        let row = |i: usize| inverse.row(i).extend(offset[i]);
+        let bounds =
+            Bounds::of(mesh.positions.iter().map(|&position| object.transform.point(position)));
+        self.instances.push(Instance {
+            object_from_world: [row(0), row(1), row(2)],
+            kind: MESH,
+            first: root,
+            count: 0,
+            material,
+            center: bounds.center(),
+            interior_is_clear: 0,
+        });
+        bounds
+    }
+
+    fn mark_clear_interiors(&mut self, bounds: &[Bounds], ground_height: Option<f32>) {
+        for (i, instance) in self.instances.iter_mut().enumerate() {
+            let met_by_other =
+                bounds.iter().enumerate().any(|(j, other)| j != i && other.overlaps(&bounds[i]));
+            let met_by_ground = ground_height.is_some_and(|height| height > bounds[i].min.z);
+            instance.interior_is_clear = u32::from(!met_by_other && !met_by_ground);
+        }
+    }
+}
+
+/// Normal and distance of a facet plane in the world.
+fn world_plane(half_space: &HalfSpace, object: &Object) -> (DVec3, f64) {
+    let Transform { translation, rotation, scale } = object.transform;
+    let normal = rotation.as_dquat() * half_space.normal;
+    (normal, half_space.distance * f64::from(scale) + normal.dot(translation.as_dvec3()))
+}
+
+fn plane_block(planes: &[(DVec3, f64)]) -> PlaneBlock {
+    let mut block = PlaneBlock {
+        nx: [0.0; PLANES_PER_BLOCK],
+        ny: [0.0; PLANES_PER_BLOCK],
+        nz: [0.0; PLANES_PER_BLOCK],
+        distance: [0.0; PLANES_PER_BLOCK],
+    };
+    for (lane, (normal, distance)) in planes.iter().enumerate() {
+        let Vec3 { x, y, z } = normal.as_vec3();
+        block.nx[lane] = x;
+        block.ny[lane] = y;
+        block.nz[lane] = z;
+        block.distance[lane] = *distance as f32;
+    }
+    block
+}

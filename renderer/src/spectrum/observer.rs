@@ -1,0 +1,85 @@
+//! The standard observer.
+
+use std::sync::LazyLock;
+
+use glam::DVec3;
+
+use super::polyline::Polyline;
+use super::{Bins, LAMBDA_MAX_NM, LAMBDA_MIN_NM, Spectrum};
+
+/// The CIE 1931 2° standard observer, looking at 380–730 nm.
+///
+/// Tristimulus values are scaled so that the equal-energy spectrum of radiance 1 has Y = 1 exactly;
+/// X and Z are scaled by the same factor. Colour-matching functions every nanometre from
+/// ISO/CIE 11664-1:2019 (`assets/spectra/README.md`), joined by straight lines.
+#[derive(Clone, Copy, Debug)]
+pub struct Observer;
+
+static COLOUR_MATCHING: LazyLock<[Polyline; 3]> = LazyLock::new(|| {
+    let table = include_str!("../../../assets/spectra/cie1931_2deg_1nm.csv");
+    let functions = Polyline::from_csv::<3>(table);
+    let scale = 1.0 / functions[1].integral(LAMBDA_MIN_NM.into(), LAMBDA_MAX_NM.into());
+    functions.map(|function| function.scaled(scale))
+});
+
+/// What each whole nanometre of a spectrum of straight lines adds to X, Y and Z.
+///
+/// The integral of the product of two polylines with knots at h = 1 nm is the sum of
+/// h/6·(f₋₁ + 4·f + f₊₁) over the knots, with half of it at the two ends.
+static KNOTS: LazyLock<Vec<(f64, DVec3)>> = LazyLock::new(|| {
+    let (low, high) = (LAMBDA_MIN_NM as u32, LAMBDA_MAX_NM as u32);
+    let functions = |lambda_nm: u32| {
+        DVec3::from_array(std::array::from_fn(|i| COLOUR_MATCHING[i].at(f64::from(lambda_nm))))
+    };
+    let weight = |lambda_nm: u32| {
+        let side = |inside: bool, neighbour: u32| {
+            if inside {
+                (2.0 * functions(lambda_nm) + functions(neighbour)) / 6.0
+            } else {
+                DVec3::ZERO
+            }
+        };
+        side(lambda_nm > low, lambda_nm - 1) + side(lambda_nm < high, lambda_nm + 1)
+    };
+    (low..=high).map(|lambda_nm| (f64::from(lambda_nm), weight(lambda_nm))).collect()
+});
+
+impl Observer {
+    /// X, Y and Z of radiance 1 in each bin: the colour-matching functions integrated over the
+    /// bin.
+    pub fn colour_matching(bins: Bins) -> Vec<[f32; 3]> {
+        Self::bin_weights(bins).into_iter().map(|weight| weight.as_vec3().to_array()).collect()
+    }
+
+    /// X, Y and Z of a spectrum, integrated over every nanometre rather than over bins.
+    pub fn xyz(spectrum: &Spectrum) -> DVec3 {
+        let curve = spectrum.curve();
+        Self::xyz_of(|lambda_nm| curve.at(lambda_nm))
+    }
+
+    /// X, Y and Z of a spectrum as a film of these bins records it.
+    pub fn binned_xyz(spectrum: &Spectrum, bins: Bins) -> DVec3 {
+        let means = spectrum.bin_means(bins);
+        Self::bin_weights(bins).into_iter().zip(means).map(|(w, mean)| w * f64::from(mean)).sum()
+    }
+
+    /// [`colour_matching`](Self::colour_matching) before rounding.
+    pub(crate) fn bin_weights(bins: Bins) -> Vec<DVec3> {
+        bins.ranges_nm()
+            .map(|(low, high)| {
+                let weights = COLOUR_MATCHING.each_ref().map(|f| f.integral(low, high));
+                DVec3::from_array(weights)
+            })
+            .collect()
+    }
+
+    /// X, Y and Z of a function of wavelength in nm.
+    pub(super) fn xyz_of(radiance: impl Fn(f64) -> f64) -> DVec3 {
+        Self::knots().iter().map(|&(lambda_nm, weight)| weight * radiance(lambda_nm)).sum()
+    }
+
+    /// Each whole nanometre and its X, Y and Z per unit of radiance.
+    pub(super) fn knots() -> &'static [(f64, DVec3)] {
+        &KNOTS
+    }
+}

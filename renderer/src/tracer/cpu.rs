@@ -1,0 +1,117 @@
+//! The CPU tracer: strips of pixels over all cores.
+
+use rayon::prelude::*;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+use super::{View, pass};
+use crate::error::RendererError;
+use crate::film::Film;
+use crate::kernel::camera::{camera_ray, pixel_seed};
+use crate::kernel::trace::{Pass, RayStack, Tally, trace};
+use crate::packed::PackedScene;
+use crate::settings::TraceSettings;
+use crate::statistics::{Ledger, Statistics};
+
+/// Pixels of a strip: the unit of work, and of cancelling.
+const STRIP_PIXELS: usize = 64;
+
+/// Traces on a pool of threads of its own.
+pub struct CpuTracer {
+    pool: ThreadPool,
+}
+
+impl CpuTracer {
+    /// Starts `threads` threads; 0 is one per core.
+    ///
+    /// # Errors
+    /// The system refuses the threads.
+    pub fn new(threads: usize) -> Result<Self, RendererError> {
+        ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .thread_name(|i| format!("tracer {i}"))
+            .build()
+            .map(|pool| Self { pool })
+            .map_err(|error| {
+                RendererError::Invalid(format!("no threads to trace with: {error}; try fewer"))
+            })
+    }
+
+    /// Number of threads.
+    pub fn threads(&self) -> usize {
+        self.pool.current_num_threads()
+    }
+
+    /// Traces one camera ray per pixel and adds what it finds to `film`. The film's bits depend
+    /// only on the arguments and the number of the pass, not on the threads.
+    ///
+    /// Returns `None` where `is_cancelled` came true, asked before every strip; the film is then
+    /// of no more use.
+    pub fn trace_pass(
+        &self,
+        scene: &PackedScene,
+        view: &View,
+        settings: &TraceSettings,
+        film: &mut Film,
+        is_cancelled: impl Fn() -> bool + Sync,
+    ) -> Option<Statistics> {
+        let pass = pass(view, settings, film.passes());
+        let size = film.size();
+        let strip_len = STRIP_PIXELS * film.bins().count();
+        let strips = self.pool.install(|| {
+            film.sums_mut()
+                .par_chunks_mut(strip_len)
+                .enumerate()
+                .map_init(RayStack::new, |stack, (strip, sums)| {
+                    if is_cancelled() {
+                        return None;
+                    }
+                    let first_pixel = strip * STRIP_PIXELS;
+                    Some(trace_strip(scene, view, &pass, size, first_pixel, stack, sums))
+                })
+                .collect::<Option<Vec<_>>>()
+        })?;
+        film.complete_pass();
+        let mut statistics = Statistics::default();
+        for strip in strips {
+            statistics += strip;
+        }
+        Some(statistics)
+    }
+}
+
+/// Traces the pixels whose bins are `sums`, from number `first_pixel` on.
+fn trace_strip(
+    scene: &PackedScene,
+    view: &View,
+    pass: &Pass,
+    size: [u32; 2],
+    first_pixel: usize,
+    stack: &mut RayStack,
+    sums: &mut [f32],
+) -> Statistics {
+    let mut statistics = Statistics::default();
+    for (i, pixel) in sums.chunks_exact_mut(scene.bins.count()).enumerate() {
+        let number = (first_pixel + i) as u32;
+        let (x, y) = (number % size[0], number / size[0]);
+        let ray = camera_ray(&view.frame, size, x, y, pass.index);
+        let tally = trace(scene, pass, &ray, pixel_seed(x, y), stack, pixel);
+        statistics += pixel_statistics(&tally);
+    }
+    statistics
+}
+
+fn pixel_statistics(tally: &Tally) -> Statistics {
+    Statistics {
+        camera_rays: 1,
+        segments: u64::from(tally.segments),
+        max_segments_per_camera_ray: tally.segments,
+        ledger: Ledger {
+            entered: 1.0,
+            returned: f64::from(tally.returned),
+            absorbed: f64::from(tally.absorbed),
+            pruned: f64::from(tally.pruned),
+            cut_off: f64::from(tally.cut_off),
+            lost: f64::from(tally.lost),
+        },
+    }
+}

@@ -1,0 +1,212 @@
+//! From film to display, against what is published and what must hold.
+
+use brilliance_renderer::color;
+use brilliance_renderer::develop::XyzImage;
+use brilliance_renderer::film::Film;
+use brilliance_renderer::settings::{DisplaySettings, ToneCurve, WhitePoint};
+use brilliance_renderer::spectrum::{Bins, Illuminant, Spectrum};
+use glam::DVec3;
+
+/// A film of one pixel per spectrum, exposed `passes` times.
+fn film_of(spectra: &[Spectrum], bins: Bins, passes: u32) -> Film {
+    let mut film = Film::new(spectra.len() as u32, 1, bins);
+    let means: Vec<f32> = spectra.iter().flat_map(|spectrum| spectrum.bin_means(bins)).collect();
+    for _ in 0..passes {
+        film.sums_mut().iter_mut().zip(&means).for_each(|(sum, mean)| *sum += mean);
+        film.complete_pass();
+    }
+    film
+}
+
+fn settings(white_point: WhitePoint, tone_curve: ToneCurve) -> DisplaySettings {
+    DisplaySettings { white_point, tone_curve, ..DisplaySettings::default() }
+}
+
+fn image(xyz: Vec<[f32; 3]>) -> XyzImage {
+    XyzImage { size: [xyz.len() as u32, 1], bins: Bins::new(16), xyz }
+}
+
+/// Colours inside and far outside the gamut, dark and bright, and values that are no colours.
+fn all_sorts() -> Vec<[f32; 3]> {
+    let levels = [-0.2, 0.0, 1e-6, 0.003, 0.02, 0.18, 0.5, 0.95, 1.0, 1.3, 7.0, 1e4, 1e30];
+    let mut xyz = Vec::new();
+    for x in levels {
+        for y in levels {
+            xyz.extend(levels.map(|z| [x, y, z]));
+        }
+    }
+    for wrong in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX] {
+        xyz.extend([[wrong, 0.5, 0.5], [0.5, wrong, 0.5], [0.5, 0.5, wrong], [wrong; 3]]);
+    }
+    xyz
+}
+
+fn all_settings() -> Vec<DisplaySettings> {
+    let mut all = Vec::new();
+    for tone_curve in [ToneCurve::Linear, ToneCurve::Reinhard, ToneCurve::Filmic] {
+        for white_point in [WhitePoint::D65, WhitePoint::A, WhitePoint::Temperature(3000.0)] {
+            for gamut_mapping in [true, false] {
+                let exposure_ev = 0.7;
+                all.push(DisplaySettings { exposure_ev, white_point, tone_curve, gamut_mapping });
+            }
+        }
+    }
+    all
+}
+
+#[test]
+fn a_flat_spectrum_of_radiance_1_develops_to_luminance_1() {
+    for count in 4..=64 {
+        for passes in [1, 3, 7] {
+            let film = film_of(&[Spectrum::Flat(1.0)], Bins::new(count), passes);
+            assert_eq!(XyzImage::from_film(&film).xyz[0][1], 1.0, "{count} bins, {passes} passes");
+        }
+    }
+}
+
+#[test]
+fn light_of_the_white_point_is_neutral() {
+    let lights = [
+        (WhitePoint::EqualEnergy, Spectrum::Flat(1.0)),
+        (WhitePoint::D65, Spectrum::Illuminant(Illuminant::D65)),
+        (WhitePoint::D50, Spectrum::Illuminant(Illuminant::D50)),
+        (WhitePoint::A, Spectrum::Illuminant(Illuminant::A)),
+        (WhitePoint::Temperature(3200.0), Spectrum::BlackBody { kelvin: 3200.0 }),
+    ];
+    for (white_point, light) in lights {
+        for count in [4, 16, 64] {
+            let film = film_of(std::slice::from_ref(&light), Bins::new(count), 1);
+            let settings =
+                DisplaySettings { exposure_ev: -1.0, ..settings(white_point, ToneCurve::Linear) };
+            let [r, g, b] = XyzImage::from_film(&film).develop(&settings).rgb[0];
+            let spread = r.max(g).max(b) - r.min(g).min(b);
+            assert!(spread < 2e-6, "{white_point:?}, {count} bins: {r} {g} {b}");
+            assert!((g - 0.5).abs() < 0.02, "{white_point:?}, {count} bins: {r} {g} {b}");
+        }
+    }
+}
+
+#[test]
+fn another_white_point_tints_the_light() {
+    let film = film_of(&[Spectrum::Illuminant(Illuminant::A)], Bins::new(16), 1);
+    let settings =
+        DisplaySettings { exposure_ev: -2.0, ..settings(WhitePoint::D65, ToneCurve::Linear) };
+    let [r, g, b] = XyzImage::from_film(&film).develop(&settings).rgb[0];
+    assert!(r > 1.5 * g && g > 1.5 * b, "tungsten in daylight is orange: {r} {g} {b}");
+}
+
+#[test]
+fn one_stop_of_exposure_doubles_linear_light() {
+    let image = image(vec![[0.1, 0.11, 0.12], [0.02, 0.01, 0.03]]);
+    let mut settings = settings(WhitePoint::D65, ToneCurve::Linear);
+    let before = image.develop(&settings);
+    settings.exposure_ev += 1.0;
+    let after = image.develop(&settings);
+    for (before, after) in before.rgb.iter().zip(&after.rgb) {
+        assert_eq!(before.map(|channel| 2.0 * channel), *after);
+    }
+}
+
+/// The tone curve scales a colour: ratios of red, green and blue stay.
+#[test]
+fn the_tone_curve_keeps_hue_and_saturation() {
+    let image = image(vec![[0.20, 0.18, 0.15], [0.30, 0.35, 0.40]]);
+    let linear = image.develop(&settings(WhitePoint::D65, ToneCurve::Linear));
+    for curve in [ToneCurve::Reinhard, ToneCurve::Filmic] {
+        let curved = image.develop(&settings(WhitePoint::D65, curve));
+        for (linear, curved) in linear.rgb.iter().zip(&curved.rgb) {
+            let gain = curved[1] / linear[1];
+            assert!((gain - 1.0).abs() > 0.05, "{curve:?} does nothing");
+            assert!((0..3).all(|i| (curved[i] / linear[i] / gain - 1.0).abs() < 1e-5));
+        }
+    }
+}
+
+/// Laser light of 500 nm is far outside Rec. 709: with gamut mapping it keeps its luminance and
+/// touches the boundary, without it the channels are cut off.
+#[test]
+fn gamut_mapping_keeps_luminance_and_clipping_does_not() {
+    let bins = Bins::new(64);
+    let mut film = Film::new(1, 1, bins);
+    film.sums_mut()[22] = 5.0;
+    film.complete_pass();
+    let image = XyzImage::from_film(&film);
+    let mut settings = settings(WhitePoint::EqualEnergy, ToneCurve::Linear);
+    let luminance = |rgb: [f32; 3]| color::luminance(DVec3::from_array(rgb.map(f64::from)));
+
+    let white = film_of(&[Spectrum::Flat(1.0)], bins, 1);
+    let white = DVec3::from_array(XyzImage::from_film(&white).xyz[0].map(f64::from));
+    let scene = DVec3::from_array(image.xyz[0].map(f64::from));
+    let y = (color::adaptation(white, color::d65_white()) * scene).y;
+
+    let mapped = image.develop(&settings).rgb[0];
+    assert!((luminance(mapped) - y).abs() < 1e-6, "{mapped:?} for luminance {y}");
+    assert!(mapped[0] < 1e-7, "on the boundary: {mapped:?}");
+
+    settings.gamut_mapping = false;
+    let clipped = image.develop(&settings).rgb[0];
+    assert_eq!(clipped[0], 0.0);
+    assert!(luminance(clipped) > y + 0.01, "{clipped:?} for luminance {y}");
+}
+
+#[test]
+fn what_is_no_colour_is_black_and_does_not_spread() {
+    let bins = Bins::new(8);
+    let mut film = Film::new(4, 1, bins);
+    film.sums_mut().fill(0.5);
+    film.sums_mut()[3] = f32::NAN;
+    film.sums_mut()[bins.count() + 2] = f32::INFINITY;
+    film.sums_mut()[2 * bins.count() + 7] = f32::NEG_INFINITY;
+    film.complete_pass();
+    let image = XyzImage::from_film(&film);
+    for settings in all_settings() {
+        let rgb = image.develop(&settings).rgb;
+        assert_eq!(rgb[..3], [[0.0; 3]; 3]);
+        assert!(rgb[3].iter().all(|&channel| channel > 0.1), "{rgb:?}");
+    }
+    assert!(image.linear_rgb().iter().flatten().all(|channel| channel.is_finite()));
+}
+
+#[test]
+fn every_developed_channel_lies_between_black_and_white() {
+    let image = image(all_sorts());
+    for settings in all_settings() {
+        for (xyz, rgb) in image.xyz.iter().zip(image.develop(&settings).rgb) {
+            assert!(rgb.iter().all(|c| (0.0..=1.0).contains(c)), "{xyz:?} → {rgb:?}");
+        }
+    }
+}
+
+#[test]
+fn the_viewport_shows_code_for_code_what_is_exported() {
+    let image = image(all_sorts());
+    for settings in all_settings() {
+        assert_eq!(image.develop_rgba8(&settings), image.develop(&settings).to_rgba8_srgb());
+    }
+}
+
+#[test]
+fn an_empty_film_develops_to_an_empty_image() {
+    let image = XyzImage::from_film(&Film::new(0, 0, Bins::new(16)));
+    assert!(image.develop_rgba8(&DisplaySettings::default()).is_empty());
+}
+
+#[test]
+fn scene_linear_rgb_is_neither_exposed_nor_bounded() {
+    let d65 = color::d65_white().as_vec3() * 12.0;
+    let [r, g, b] = image(vec![d65.to_array()]).linear_rgb()[0];
+    assert!([r, g, b].iter().all(|channel| (channel - 12.0).abs() < 1e-4), "{r} {g} {b}");
+}
+
+/// Middle grey of 18 % is code 118 of 255.
+#[test]
+fn black_middle_grey_and_white_have_their_codes() {
+    let greys = [0.0, 0.18, 1.0].map(Spectrum::Flat);
+    let grey = XyzImage::from_film(&film_of(&greys, Bins::new(16), 1));
+    let shown = grey.develop(&settings(WhitePoint::EqualEnergy, ToneCurve::Linear));
+    assert_eq!(shown.to_rgba8_srgb(), [0, 0, 0, 255, 118, 118, 118, 255, 255, 255, 255, 255]);
+    let rgb16 = shown.to_rgb16_srgb();
+    assert_eq!(rgb16[..3], [0; 3]);
+    assert!(rgb16[3..6].iter().all(|&code| code.abs_diff(30237) <= 2), "{rgb16:?}");
+    assert_eq!(rgb16[6..], [65535; 3]);
+}

@@ -1,0 +1,14 @@
+//! The physics of the renderer against formulas, published values and brute force.
+
+mod clumping;
+mod determinism;
+mod energy;
+mod interface;
+mod intersection;
+mod lights;
+mod matte;
+mod poison;
+mod prism;
+mod scenes;
+mod slab;
+mod spread;

@@ -1,0 +1,210 @@
+//! Spectra against published colours: observer, illuminants, black bodies, reflectances.
+
+use brilliance_renderer::color;
+use brilliance_renderer::spectrum::{Bins, Illuminant, Observer, Spectrum};
+use glam::{DVec2, DVec3};
+
+fn luminance_of_flat(bins: Bins) -> f64 {
+    Observer::colour_matching(bins).iter().map(|weight| f64::from(weight[1])).sum()
+}
+
+#[test]
+fn a_flat_spectrum_of_radiance_1_has_luminance_1() {
+    for count in 1..=64 {
+        let luminance = luminance_of_flat(Bins::new(count));
+        assert_eq!(luminance as f32, 1.0, "{count} bins: {luminance}");
+    }
+    assert!((Observer::xyz(&Spectrum::Flat(1.0)).y - 1.0).abs() < 1e-14);
+}
+
+/// The equal-energy white is 1/3, 1/3 by construction of the CIE system; 380–730 nm miss a little
+/// of it.
+#[test]
+fn the_equal_energy_white_is_a_third_each() {
+    let xy = color::xy(Observer::xyz(&Spectrum::Flat(1.0)));
+    assert!((xy - DVec2::splat(1.0 / 3.0)).abs().max_element() < 3e-4, "{xy}");
+}
+
+#[test]
+fn fine_bins_add_up_to_coarse_ones() {
+    let coarse = Observer::colour_matching(Bins::new(4));
+    let fine = Observer::colour_matching(Bins::new(64));
+    for (whole, parts) in coarse.iter().zip(fine.chunks_exact(16)) {
+        for i in 0..3 {
+            let sum: f32 = parts.iter().map(|part| part[i]).sum();
+            assert!((sum - whole[i]).abs() < 1e-6);
+        }
+    }
+}
+
+/// Chromaticities for the 2° observer: CIE 15:2018, tables of illuminants.
+#[test]
+fn illuminants_have_their_published_chromaticities() {
+    let published = [
+        (Illuminant::D65, [0.31272, 0.32903]),
+        (Illuminant::D50, [0.34567, 0.35851]),
+        (Illuminant::A, [0.44758, 0.40745]),
+        (Illuminant::F2, [0.3721, 0.3751]),
+        (Illuminant::F11, [0.3805, 0.3769]),
+        (Illuminant::LedB3, [0.3756, 0.3723]),
+    ];
+    for (illuminant, [x, y]) in published {
+        let xyz = Observer::xyz(&Spectrum::Illuminant(illuminant));
+        assert!((xyz.y - 1.0).abs() < 1e-12, "{illuminant:?} has luminance {}", xyz.y);
+        let off = (color::xy(xyz) - DVec2::new(x, y)).abs().max_element();
+        assert!(off < 5e-4, "{illuminant:?}: {} is off by {off}", color::xy(xyz));
+    }
+}
+
+/// Illuminant A is by definition a black body of 2856 K (CIE 15:2004, 3.1).
+#[test]
+fn illuminant_a_is_a_black_body() {
+    let body = Spectrum::BlackBody { kelvin: 2856.0 };
+    let a = Spectrum::Illuminant(Illuminant::A);
+    for lambda_nm in (380..=730).step_by(5) {
+        let (body, a) = (body.at(lambda_nm as f32), a.at(lambda_nm as f32));
+        assert!((body / a - 1.0).abs() < 1e-3, "{lambda_nm} nm: {body} against {a}");
+    }
+}
+
+/// Points of the Planckian locus: Wyszecki & Stiles, *Color Science*, 2nd ed., 3.11.
+#[test]
+fn black_bodies_lie_on_the_planckian_locus() {
+    let locus =
+        [(2000.0, [0.5267, 0.4133]), (4000.0, [0.3805, 0.3768]), (10000.0, [0.2807, 0.2884])];
+    for (kelvin, [x, y]) in locus {
+        let xyz = Observer::xyz(&Spectrum::BlackBody { kelvin });
+        assert!((xyz.y - 1.0).abs() < 1e-12);
+        let off = (color::xy(xyz) - DVec2::new(x, y)).abs().max_element();
+        assert!(off < 1e-3, "{kelvin} K: {} is off by {off}", color::xy(xyz));
+    }
+}
+
+#[test]
+fn a_flat_spectrum_has_exactly_its_value_in_every_bin() {
+    for count in [1, 7, 16, 64] {
+        let means = Spectrum::Flat(0.3).bin_means(Bins::new(count));
+        assert_eq!(means, vec![0.3; count as usize]);
+    }
+}
+
+/// A triangle 2 high and 7 nm wide, of area 7 nm, inside the third of 35 bins of 10 nm; and a ramp whose mean is its value in the middle of the bin.
+#[test]
+fn bin_means_are_exact_for_straight_lines() {
+    let peak =
+        Spectrum::Tabulated { lambda_nm: vec![402.0, 404.5, 409.0], value: vec![0.0, 2.0, 0.0] };
+    let means = peak.bin_means(Bins::new(35));
+    assert_eq!(means[2], 0.7);
+    assert!(means.iter().enumerate().all(|(index, &mean)| index == 2 || mean == 0.0));
+
+    let ramp = Spectrum::Tabulated { lambda_nm: vec![380.0, 730.0], value: vec![0.0, 1.0] };
+    for count in [4, 16, 23, 64] {
+        let bins = Bins::new(count);
+        for (index, mean) in ramp.bin_means(bins).into_iter().enumerate() {
+            let centre = (bins.centre_nm(index) - 380.0) / 350.0;
+            assert!((f64::from(mean) - centre).abs() < 1e-7, "{count} bins, bin {index}");
+        }
+    }
+}
+
+/// The mean of each bin, whatever its edges, against the sum over a thousand points.
+#[test]
+fn bin_means_agree_with_brute_force() {
+    let spectra = [
+        Spectrum::Illuminant(Illuminant::F11),
+        Spectrum::BlackBody { kelvin: 3200.0 },
+        Spectrum::Rgb([0.9, 0.2, 0.05]),
+    ];
+    let bins = Bins::new(13);
+    for spectrum in spectra {
+        for (index, mean) in spectrum.bin_means(bins).into_iter().enumerate() {
+            let (low, high) = bins.range_nm(index);
+            let sum: f64 = (0..400)
+                .map(|i| f64::from(spectrum.at(low + (high - low) * (i as f32 + 0.5) / 400.0)))
+                .sum();
+            let brute = sum / 400.0;
+            assert!(
+                (f64::from(mean) - brute).abs() < 1e-4 * brute.max(0.1),
+                "{spectrum:?} {index}"
+            );
+        }
+    }
+}
+
+/// Linear sRGB of a reflectance in the equal-energy light, adapted to the display's white.
+fn rgb_under_equal_energy(reflectance: &Spectrum) -> DVec3 {
+    let white = Observer::xyz(&Spectrum::Flat(1.0));
+    let adapted = color::adaptation(white, color::d65_white()) * Observer::xyz(reflectance);
+    color::rec709_from_xyz() * adapted
+}
+
+#[test]
+fn a_colour_becomes_a_reflectance_and_develops_to_the_same_colour() {
+    let levels = [0.0, 1e-3, 0.03, 0.2, 0.5, 0.8, 0.97, 1.0];
+    for r in levels {
+        for g in levels {
+            for b in levels {
+                let spectrum = Spectrum::Rgb([r, g, b]);
+                let target = DVec3::new(r.into(), g.into(), b.into());
+                let error = (rgb_under_equal_energy(&spectrum) - target).abs().max_element();
+                assert!(error < 1e-8, "{target} is off by {error:e}");
+                let means = spectrum.bin_means(Bins::new(64));
+                assert!(means.iter().all(|mean| (0.0..=1.0).contains(mean)), "{target}");
+            }
+        }
+    }
+}
+
+/// A film sees means over its bins; each halving of the bins brings the colour about four times
+/// nearer.
+#[test]
+fn more_bins_show_a_colour_more_exactly() {
+    let white = Observer::xyz(&Spectrum::Flat(1.0));
+    let rgb_from_xyz = color::rec709_from_xyz() * color::adaptation(white, color::d65_white());
+    for (count, tolerance) in [(16, 0.02), (32, 0.005), (64, 0.00125)] {
+        let mut worst = 0.0_f64;
+        for rgb in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.8, 0.3, 0.1]] {
+            let binned = Observer::binned_xyz(&Spectrum::Rgb(rgb), Bins::new(count));
+            let target = DVec3::from_array(rgb.map(f64::from));
+            worst = worst.max((rgb_from_xyz * binned - target).abs().max_element());
+        }
+        assert!(worst < tolerance, "{count} bins are off by {worst}");
+    }
+}
+
+#[test]
+fn greys_reflect_every_wavelength_alike() {
+    for level in [0.0, 0.18, 0.5, 1.0] {
+        assert_eq!(Spectrum::Rgb([level; 3]).bin_means(Bins::new(16)), vec![level; 16]);
+    }
+}
+
+#[test]
+fn a_spectrum_that_means_nothing_is_refused_in_words() {
+    let table = |lambda_nm: &[f32], value: &[f32]| Spectrum::Tabulated {
+        lambda_nm: lambda_nm.into(),
+        value: value.into(),
+    };
+    let refused = [
+        (Spectrum::Flat(f32::NAN), "NaN"),
+        (Spectrum::Flat(-1.0), "-1"),
+        (table(&[], &[]), "empty"),
+        (table(&[400.0, 500.0], &[1.0]), "2 wavelengths but 1 values"),
+        (table(&[500.0, 400.0], &[1.0, 1.0]), "increase"),
+        (table(&[500.0, 500.0], &[1.0, 1.0]), "increase"),
+        (table(&[400.0, f32::NAN], &[1.0, 1.0]), "NaN"),
+        (table(&[400.0, 500.0], &[1.0, f32::INFINITY]), "inf at 500 nm"),
+        (Spectrum::BlackBody { kelvin: 0.0 }, "0 K"),
+        (Spectrum::BlackBody { kelvin: f32::NAN }, "NaN K"),
+        (Spectrum::Rgb([0.0, 1.5, 0.0]), "1.5"),
+    ];
+    for (spectrum, words) in refused {
+        let message = spectrum.validate().expect_err(words);
+        assert!(message.contains(words), "{message}");
+    }
+    for illuminant in Illuminant::ALL {
+        assert_eq!(Spectrum::Illuminant(illuminant).validate(), Ok(()));
+    }
+    assert_eq!(table(&[400.0, 500.0], &[0.0, 2.0]).validate(), Ok(()));
+    assert_eq!(Spectrum::Rgb([0.0, 1.0, 0.5]).validate(), Ok(()));
+}
