@@ -22,7 +22,8 @@ fn references() -> BTreeMap<String, Reference> {
         reference: Reference,
     }
     let text = include_str!("reference/measured_indices.json");
-    let all: BTreeMap<String, WithFile> = serde_json::from_str(text).unwrap();
+    let all: BTreeMap<String, WithFile> =
+        serde_json::from_str(text).expect("the reference file is JSON");
     assert!(all.values().all(|entry| !entry.file.is_empty()));
     all.into_iter().map(|(name, entry)| (name, entry.reference)).collect()
 }

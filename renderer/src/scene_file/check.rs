@@ -3,7 +3,7 @@
 use std::fmt::Display;
 use std::ops::RangeInclusive;
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use super::fault::{Fault, quoted, suggestion};
 
@@ -71,7 +71,7 @@ pub(super) fn unit_vector(key: &str, value: [f32; 3]) -> Result<Vec3, Fault> {
     if vector.is_normalized() {
         return Ok(vector);
     }
-    vector.as_dvec3().try_normalize().map(|unit| unit.as_vec3()).ok_or_else(|| {
+    vector.as_dvec3().try_normalize().map(DVec3::as_vec3).ok_or_else(|| {
         Fault::at(key, format!("found {value:?}; it must point somewhere, such as [0, 0, 1]"))
     })
 }

@@ -1,5 +1,6 @@
 //! The document: what a scene file says.
 
+use std::ffi::OsStr;
 use std::io::{Read, Write};
 use std::ops::RangeInclusive;
 use std::path::Path;
@@ -84,8 +85,8 @@ impl Default for Document {
 }
 
 impl Document {
-    /// Reads a scene file (`.toml`) or a mesh (`.gltf`, `.glb`), which is placed in the default
-    /// lights.
+    /// Reads a scene file (`.toml`), the scene of a still (`.png`, `.exr`), or a mesh (`.gltf`,
+    /// `.glb`), which is placed in the default lights where it has none.
     ///
     /// # Errors
     /// Names the file, the place, the key and the remedy.
@@ -102,7 +103,7 @@ impl Document {
     pub fn open_with(path: &Path, overrides: &[String]) -> Result<Self, RendererError> {
         let fault = |message: String| RendererError::File { path: path.to_owned(), message };
         let base = path.parent().unwrap_or(Path::new(""));
-        let extension = path.extension().map(|extension| extension.to_ascii_lowercase());
+        let extension = path.extension().map(OsStr::to_ascii_lowercase);
         match extension.as_ref().and_then(|extension| extension.to_str()) {
             Some("toml") => format::read(&text_of(path)?, base, overrides).map_err(fault),
             Some("gltf" | "glb") => {

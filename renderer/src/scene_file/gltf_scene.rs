@@ -23,11 +23,11 @@ pub(super) fn document(path: &Path) -> Result<Document, RendererError> {
     if !gltf.lights.is_empty() {
         lights.discs = gltf.lights;
     }
-    Ok(Document { scene: Scene { objects, camera, lights, ..start.scene }, ..start })
+    Ok(Document { scene: Scene { objects, lights, camera, ..start.scene }, ..start })
 }
 
 /// The bodies of the file as objects that remember where they came from.
-pub(super) fn objects(path: &Path, gltf: &GltfScene) -> Vec<Object> {
+fn objects(path: &Path, gltf: &GltfScene) -> Vec<Object> {
     let object = |(index, object): (usize, &gltf::GltfObject)| Object {
         name: object.name.clone(),
         shape: Shape::Mesh(MeshSource { path: path.to_owned(), index, mesh: object.mesh.clone() }),

@@ -208,17 +208,12 @@ impl MaterialEntry {
                 let stretched = material
                     .filter(|material| material.name == name)
                     .and_then(|material| stretched_figures(material, dispersion));
-                match stretched {
-                    Some((n_d, dispersion_bg)) => Self {
-                        library: Some(name.to_owned()),
-                        n_d: Some(n_d),
-                        dispersion_bg: Some(dispersion_bg),
-                        ..Self::default()
-                    },
-                    None => {
-                        let (lambda_nm, n) = (lambda_nm.clone(), n.clone());
-                        Self { tabulated: Some(TabulatedEntry { lambda_nm, n }), ..entry }
-                    }
+                if let Some((n_d, dispersion_bg)) = stretched {
+                    let (n_d, dispersion_bg) = (Some(n_d), Some(dispersion_bg));
+                    Self { library: Some(name.to_owned()), n_d, dispersion_bg, ..Self::default() }
+                } else {
+                    let (lambda_nm, n) = (lambda_nm.clone(), n.clone());
+                    Self { tabulated: Some(TabulatedEntry { lambda_nm, n }), ..entry }
                 }
             }
         }

@@ -1,15 +1,16 @@
 //! Meshes of a scene file, read from glTF files beside it.
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry::{Occupied, Vacant};
 use std::path::{Component, Path, PathBuf};
+use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
 use super::fault::Fault;
-use super::gltf_scene;
-use crate::import::gltf;
+use crate::import::gltf::{self, GltfObject};
 use crate::material::Material;
-use crate::scene::{MeshSource, Object, Shape};
+use crate::scene::MeshSource;
 
 /// A mesh as written: the glTF file, relative to the scene file, and which of its meshes.
 #[derive(Deserialize, Serialize)]
@@ -23,7 +24,7 @@ pub(super) struct MeshEntry {
 /// The glTF files of one scene, each read once.
 pub(super) struct MeshFiles<'a> {
     base: &'a Path,
-    files: BTreeMap<PathBuf, Vec<Object>>,
+    files: BTreeMap<PathBuf, Vec<GltfObject>>,
 }
 
 impl<'a> MeshFiles<'a> {
@@ -33,30 +34,24 @@ impl<'a> MeshFiles<'a> {
     }
 
     /// The mesh, and the material that it has in its own file.
-    pub(super) fn read(&mut self, entry: MeshEntry) -> Result<(MeshSource, Material), Fault> {
+    pub(super) fn read(&mut self, entry: &MeshEntry) -> Result<(MeshSource, Material), Fault> {
         let path = self.base.join(&entry.file);
-        if !self.files.contains_key(&path) {
-            let gltf = gltf::load(&path).map_err(|error| Fault::at("file", error.to_string()))?;
-            self.files.insert(path.clone(), gltf_scene::objects(&path, &gltf));
-        }
-        let objects = self.files.get(&path).map_or(&[][..], Vec::as_slice);
-        let found = objects.iter().find_map(|object| match &object.shape {
-            Shape::Mesh(source) if source.index == entry.index => {
-                Some((source.clone(), object.material.clone()))
+        let objects = match self.files.entry(path.clone()) {
+            Occupied(file) => file.into_mut(),
+            Vacant(place) => {
+                let scene = gltf::load(&path).map_err(|e| Fault::at("file", e.to_string()))?;
+                place.insert(scene.objects)
             }
-            _ => None,
-        });
-        found.ok_or_else(|| {
-            Fault::at(
+        };
+        let Some(object) = objects.get(entry.index) else {
+            let (index, count) = (entry.index, objects.len());
+            return Err(Fault::at(
                 "index",
-                format!(
-                    "found {}, but {} has {} meshes, counted from 0",
-                    entry.index,
-                    path.display(),
-                    objects.len()
-                ),
-            )
-        })
+                format!("found {index}; {} has {count} meshes, counted from 0", path.display()),
+            ));
+        };
+        let mesh = Arc::clone(&object.mesh);
+        Ok((MeshSource { path, index: entry.index, mesh }, object.material.clone()))
     }
 }
 

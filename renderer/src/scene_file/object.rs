@@ -11,6 +11,7 @@ use super::check::{exactly_one, positive};
 use super::fault::{Fault, Under};
 use super::material::MaterialEntry;
 use super::mesh_file::{MeshEntry, MeshFiles};
+use crate::material::Material;
 use crate::scene::{Object, Shape, Transform};
 use crate::solid::{HalfSpace, Solid};
 
@@ -80,19 +81,21 @@ impl ObjectEntry {
             }
             (_, Some(entry), _) => (Shape::Polyhedron(entry.read().under("polyhedron")?), None),
             (_, _, Some(entry)) => {
-                let (source, material) = meshes.read(entry).under("mesh")?;
+                let (source, material) = meshes.read(&entry).under("mesh")?;
                 (Shape::Mesh(source), Some(material))
             }
             (None, None, None) => return Err(Fault::new("the object has no shape")),
         };
         let material = self.material.map(MaterialEntry::read).transpose().under("material")?;
+        let material = material
+            .or(own_material)
+            .ok_or_else(|| Fault::at("material", "this key is missing"))?;
+        refuse_open_stone(&shape, &material)?;
         Ok(Object {
             name: self.name.unwrap_or_else(|| format!("Object {}", index + 1)),
             shape,
             transform,
-            material: material
-                .or(own_material)
-                .ok_or_else(|| Fault::at("material", "this key is missing"))?,
+            material,
         })
     }
 
@@ -119,6 +122,19 @@ impl ObjectEntry {
             Shape::Mesh(source) => entry.mesh = Some(MeshEntry::write(source, base)),
         }
         entry
+    }
+}
+
+/// Light that enters a clear mesh must find its way out: the mesh must be closed.
+fn refuse_open_stone(shape: &Shape, material: &Material) -> Result<(), Fault> {
+    match (shape, material) {
+        (Shape::Mesh(source), Material::Dielectric(_)) => source.mesh.closed().map_err(|fault| {
+            Fault::at(
+                "mesh",
+                format!("a clear stone must be closed, but {fault}; close it, or make it diffuse"),
+            )
+        }),
+        _ => Ok(()),
     }
 }
 

@@ -4,8 +4,8 @@ use serde::de::value::MapAccessDeserializer;
 use serde::de::{Error, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::check::{choose, exactly_one, in_range, not_negative};
-use super::fault::{Fault, Under};
+use super::check::{choose, exactly_one};
+use super::fault::Fault;
 use crate::spectrum::{Illuminant, Spectrum};
 
 /// Names of the illuminants.
@@ -18,9 +18,6 @@ const ILLUMINANTS: [(&str, Illuminant); 7] = [
     ("F11", Illuminant::F11),
     ("LED-B3", Illuminant::LedB3),
 ];
-
-/// Allowed temperature of a black body, in kelvin.
-const BLACK_BODY_KELVIN: std::ops::RangeInclusive<f32> = 500.0..=100_000.0;
 
 /// What a spectrum stands for, which bounds its values.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -98,16 +95,28 @@ impl<'de> Deserialize<'de> for SpectrumEntry {
 
 impl SpectrumEntry {
     pub(super) fn read(self, quantity: Quantity) -> Result<Spectrum, Fault> {
-        match self {
-            Self::Flat(value) => {
-                check_value(value, quantity)?;
-                Ok(Spectrum::Flat(value))
+        let spectrum = match self {
+            Self::Flat(value) => Spectrum::Flat(value),
+            Self::Named(name) => Spectrum::Illuminant(choose(&name, &ILLUMINANTS)?),
+            Self::Table(table) => table.read()?,
+        };
+        spectrum.validate().map_err(Fault::new)?;
+        let values = match &spectrum {
+            Spectrum::Flat(value) => std::slice::from_ref(value),
+            Spectrum::Tabulated { value, .. } => value.as_slice(),
+            Spectrum::Rgb(rgb) => rgb.as_slice(),
+            Spectrum::Illuminant(_) | Spectrum::BlackBody { .. } if quantity == Quantity::Light => {
+                &[]
             }
-            Self::Named(name) => {
-                only_light(quantity)?;
-                choose(&name, &ILLUMINANTS).map(Spectrum::Illuminant)
+            Spectrum::Illuminant(_) | Spectrum::BlackBody { .. } => {
+                return Err(Fault::new(
+                    "this is the spectrum of a light; give a number or a table of values",
+                ));
             }
-            Self::Table(table) => table.read(quantity),
+        };
+        match values.iter().find(|&&value| quantity == Quantity::Reflectance && value > 1.0) {
+            Some(value) => Err(Fault::new(format!("found {value}; a reflectance is 0 to 1"))),
+            None => Ok(spectrum),
         }
     }
 
@@ -131,64 +140,26 @@ impl SpectrumEntry {
 }
 
 impl SpectrumTable {
-    fn read(self, quantity: Quantity) -> Result<Spectrum, Fault> {
+    fn read(self) -> Result<Spectrum, Fault> {
+        let has_samples = self.lambda_nm.is_some() || self.value.is_some();
         exactly_one(&[
             ("kelvin", self.kelvin.is_some()),
             ("linear_srgb", self.linear_srgb.is_some()),
-            ("lambda_nm", self.lambda_nm.is_some() || self.value.is_some()),
+            ("lambda_nm", has_samples),
         ])?;
         if let Some(kelvin) = self.kelvin {
-            only_light(quantity)?;
-            return Ok(Spectrum::BlackBody {
-                kelvin: in_range("kelvin", kelvin, &BLACK_BODY_KELVIN)?,
-            });
+            return Ok(Spectrum::BlackBody { kelvin });
         }
         if let Some(rgb) = self.linear_srgb {
-            check_values("linear_srgb", &rgb, quantity)?;
             return Ok(Spectrum::Rgb(rgb));
         }
-        let lambda_nm =
-            self.lambda_nm.ok_or_else(|| Fault::at("lambda_nm", "this key is missing"))?;
-        let value = self.value.ok_or_else(|| Fault::at("value", "this key is missing"))?;
-        if lambda_nm.is_empty() || lambda_nm.len() != value.len() {
-            return Err(Fault::at(
-                "value",
-                format!(
-                    "found {} values for {} wavelengths; give one each, and at least one",
-                    value.len(),
-                    lambda_nm.len()
-                ),
-            ));
-        }
-        if let Some(index) = lambda_nm.windows(2).position(|pair| pair[0] >= pair[1]) {
-            return Err(Fault::at(index + 1, "the wavelengths must increase").under("lambda_nm"));
-        }
-        check_values("value", &value, quantity)?;
-        Ok(Spectrum::Tabulated { lambda_nm, value })
-    }
-}
-
-fn check_values(key: &str, values: &[f32], quantity: Quantity) -> Result<(), Fault> {
-    values
-        .iter()
-        .enumerate()
-        .try_for_each(|(index, &value)| check_value(value, quantity).under(index))
-        .under(key)
-}
-
-fn check_value(value: f32, quantity: Quantity) -> Result<(), Fault> {
-    let checked = match quantity {
-        Quantity::Reflectance => in_range("", value, &(0.0..=1.0)),
-        Quantity::Light | Quantity::Absorption => not_negative("", value),
-    };
-    checked.map(|_| ()).map_err(|fault| Fault::new(fault.message()))
-}
-
-fn only_light(quantity: Quantity) -> Result<(), Fault> {
-    if quantity == Quantity::Light {
-        Ok(())
-    } else {
-        Err(Fault::new("this is the spectrum of a light; give a number or a table of values"))
+        let samples = |key: &str, samples: Option<Vec<f32>>| {
+            samples.ok_or_else(|| Fault::at(key, "this key is missing"))
+        };
+        Ok(Spectrum::Tabulated {
+            lambda_nm: samples("lambda_nm", self.lambda_nm)?,
+            value: samples("value", self.value)?,
+        })
     }
 }
 
