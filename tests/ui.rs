@@ -523,11 +523,10 @@ fn every_control_has_a_name() {
 #[test]
 fn an_exported_still_is_a_readable_png_of_the_asked_size() {
     let folder = tempfile::tempdir().unwrap();
-    let mut document = Document::default();
-    document.still = StillSettings { size: [48, 32], passes: 2 };
-    document.trace.bins = 8;
+    let still = StillSettings { size: [48, 32], passes: 2 };
+    let document = Document { still, ..Document::default() };
     let file = folder.path().join("stone.toml");
-    let mut harness = harness_with(document.clone(), Some(&file), Services::default());
+    let mut harness = harness_with(document, Some(&file), Services::default());
     harness.key_press_modifiers(Modifiers::COMMAND, Key::E);
     harness.run_steps(3);
     harness.get_by_label("Export").click();
