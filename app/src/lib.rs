@@ -1,3 +1,26 @@
 //! Brilliance, a viewer of gemstones: the window and the command line.
+//!
+//! [`app`] holds the document that is edited and, each frame, asks the renderer's session for
+//! the picture it describes; the panels edit the document, the viewport shows the picture.
+//! [`cli`] does the same work without a window.
 
+pub mod app;
+pub mod bounds;
 pub mod cli;
+pub mod command;
+pub mod editor;
+pub mod export;
+pub mod help;
+pub mod history;
+pub mod menu;
+pub mod notice;
+pub mod orbit;
+pub mod panels;
+pub mod path_dialog;
+pub mod question;
+pub mod row;
+pub mod status;
+pub mod task;
+pub mod theme;
+pub mod viewport;
+pub mod window;

@@ -5,6 +5,8 @@ use std::path::PathBuf;
 use anyhow::{anyhow, bail};
 use brilliance_renderer::scene_file::Document;
 
+use crate::window;
+
 const RENDER_WITHOUT: &str = "`brilliance render SCENE -o OUT.png` renders a picture without one";
 
 /// Opens the window on `file`, or on the default stone.
@@ -16,7 +18,7 @@ pub(super) fn view(file: Option<PathBuf>) -> anyhow::Result<()> {
     if display_is_missing() {
         bail!("there is no display to open a window on; {RENDER_WITHOUT}");
     }
-    open_window(document, file).map_err(|error| anyhow!("{error}; {RENDER_WITHOUT}"))
+    window::open(document, file).map_err(|error| anyhow!("{error}; {RENDER_WITHOUT}"))
 }
 
 /// Whether this is a system whose windows need a display server, and none is named.
@@ -24,9 +26,4 @@ fn display_is_missing() -> bool {
     let named = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
     cfg!(all(unix, not(target_vendor = "apple")))
         && !["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"].into_iter().any(named)
-}
-
-/// The one place where the command line meets the window.
-fn open_window(_document: Document, _file: Option<PathBuf>) -> anyhow::Result<()> {
-    bail!("the window can't be opened: this build has none")
 }

@@ -1,0 +1,277 @@
+//! Opening, saving and leaving, none of which makes the window wait.
+
+use std::path::{Path, PathBuf};
+
+use brilliance_renderer::error::RendererError;
+use brilliance_renderer::scene_file::{Document, ShippedScene, scenes};
+use eframe::egui::{self, Align2, FontId, Id, LayerId, Order, ViewportCommand};
+
+use super::App;
+use crate::editor::Editor;
+use crate::path_dialog::{Purpose, Question};
+use crate::question::Decision;
+use crate::task::{Task, TaskState};
+use crate::theme;
+
+/// What would lose unsaved changes.
+#[derive(Clone, Debug, PartialEq)]
+enum Intent {
+    Quit,
+    Open(Source),
+}
+
+/// Where a document comes from.
+#[derive(Clone, Debug, PartialEq)]
+enum Source {
+    File(PathBuf),
+    Shipped(ShippedScene),
+}
+
+impl Source {
+    fn name(&self) -> String {
+        match self {
+            Self::File(path) => path.display().to_string(),
+            Self::Shipped(scene) => scene.name.to_owned(),
+        }
+    }
+
+    /// Reads it; may take seconds.
+    fn open(self) -> Result<Editor, RendererError> {
+        match self {
+            Self::File(path) => {
+                Document::open(&path).map(|document| Editor::new(document, Some(&path)))
+            }
+            Self::Shipped(scene) => Document::from_toml(scene.text, Path::new(""))
+                .map(|document| Editor::named(document, scene.name)),
+        }
+    }
+}
+
+struct Saving {
+    path: PathBuf,
+    document: Document,
+    task: Task<Result<(), RendererError>>,
+}
+
+/// What is going on with files.
+#[derive(Default)]
+pub(super) struct Files {
+    opening: Option<(String, Task<Result<Editor, RendererError>>)>,
+    saving: Option<Saving>,
+    /// Waits for the answer about unsaved changes.
+    asked: Option<Intent>,
+    /// Goes on once the scene is saved.
+    after_saving: Option<Intent>,
+    /// The changes may be lost.
+    may_quit: bool,
+}
+
+impl Files {
+    /// True while the question about unsaved changes is open.
+    pub(super) fn is_asking(&self) -> bool {
+        self.asked.is_some()
+    }
+
+    /// The file that is being read.
+    pub(super) fn opening_name(&self) -> Option<&str> {
+        self.opening.as_ref().map(|(name, _)| name.as_str())
+    }
+}
+
+impl App {
+    /// Opens a scene or a mesh, after asking about unsaved changes.
+    pub fn open_file(&mut self, path: PathBuf, ctx: &egui::Context) {
+        self.intend(Intent::Open(Source::File(path)), ctx);
+    }
+
+    /// Opens the shipped scene of this index.
+    pub(super) fn open_scene(&mut self, index: usize, ctx: &egui::Context) {
+        if let Some(scene) = scenes().get(index) {
+            self.intend(Intent::Open(Source::Shipped(*scene)), ctx);
+        }
+    }
+
+    pub(super) fn ask_open(&mut self, ctx: &egui::Context) {
+        let folder = self.editor.file().and_then(Path::parent).map(Path::to_owned);
+        let suggestion = folder.unwrap_or_else(current_folder);
+        self.paths.open(ctx, Question { purpose: Purpose::Open, suggestion });
+    }
+
+    pub(super) fn ask_save(&mut self, ctx: &egui::Context) {
+        let suggestion = self.suggested_path("toml");
+        self.paths.open(ctx, Question { purpose: Purpose::SaveScene, suggestion });
+    }
+
+    /// Saves to the document's own file, or asks for one.
+    pub(super) fn save(&mut self, ctx: &egui::Context) {
+        match self.editor.file().map(Path::to_owned) {
+            Some(path) => self.save_to(path, ctx),
+            None => self.ask_save(ctx),
+        }
+    }
+
+    /// A file beside the document's own, with another ending.
+    pub(super) fn suggested_path(&self, extension: &str) -> PathBuf {
+        let folder = self.editor.file().and_then(Path::parent).map(Path::to_owned);
+        let folder = folder.unwrap_or_else(current_folder);
+        folder.join(format!("{}.{extension}", self.editor.stem()))
+    }
+
+    /// Takes the answer of a path dialog.
+    pub(super) fn take_path(&mut self, purpose: Purpose, path: PathBuf, ctx: &egui::Context) {
+        match purpose {
+            Purpose::Open => self.open_file(path, ctx),
+            Purpose::SaveScene => self.save_to(path, ctx),
+            Purpose::ExportStill => self.export.set_path(&path),
+        }
+    }
+
+    /// Takes the answer about unsaved changes.
+    pub(super) fn decide(&mut self, decision: Decision, ctx: &egui::Context) {
+        let Some(intent) = self.files.asked.take() else { return };
+        match decision {
+            Decision::Save => {
+                self.files.after_saving = Some(intent);
+                self.save(ctx);
+            }
+            Decision::Discard => self.carry_out(intent, ctx),
+            Decision::Cancel => {}
+        }
+    }
+
+    /// Takes files that are dropped on the window and results of the threads.
+    pub(super) fn poll_files(&mut self, ctx: &egui::Context) {
+        let dropped =
+            ctx.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_owned()));
+        if let Some(path) = dropped {
+            self.open_file(path, ctx);
+        }
+        self.poll_opening();
+        self.poll_saving(ctx);
+        // The user chose no file to save to: the plan that waited for it is off.
+        if !self.paths.is_open() && self.files.saving.is_none() {
+            self.files.after_saving = None;
+        }
+    }
+
+    /// Holds the window open while changes are unsaved.
+    pub(super) fn guard_close(&mut self, ctx: &egui::Context) {
+        let closing = ctx.input(|input| input.viewport().close_requested());
+        if closing && self.editor.edited() && !self.files.may_quit {
+            ctx.send_viewport_cmd(ViewportCommand::CancelClose);
+            self.files.asked = Some(Intent::Quit);
+        }
+    }
+
+    fn intend(&mut self, intent: Intent, ctx: &egui::Context) {
+        if self.editor.edited() {
+            self.files.asked = Some(intent);
+        } else {
+            self.carry_out(intent, ctx);
+        }
+    }
+
+    fn carry_out(&mut self, intent: Intent, ctx: &egui::Context) {
+        match intent {
+            Intent::Quit => {
+                self.files.may_quit = true;
+                ctx.send_viewport_cmd(ViewportCommand::Close);
+            }
+            Intent::Open(source) => {
+                let name = source.name();
+                match Task::spawn("open", ctx, move || source.open()) {
+                    Ok(task) => self.files.opening = Some((name, task)),
+                    Err(fault) => self.notices.error("Not opened", no_thread(&name, &fault)),
+                }
+            }
+        }
+    }
+
+    fn save_to(&mut self, path: PathBuf, ctx: &egui::Context) {
+        let document = self.document_to_save();
+        let (copy, target) = (document.clone(), path.clone());
+        match Task::spawn("save", ctx, move || copy.save(&target)) {
+            Ok(task) => self.files.saving = Some(Saving { path, document, task }),
+            Err(fault) => {
+                self.notices.error("Not saved", no_thread(&path.display().to_string(), &fault));
+            }
+        }
+    }
+
+    fn poll_opening(&mut self) {
+        let Some((name, task)) = &self.files.opening else { return };
+        match task.poll() {
+            TaskState::Running => return,
+            TaskState::Finished(Ok(editor)) => self.replace(editor),
+            TaskState::Finished(Err(fault)) => {
+                self.notices.error("Not opened", naming(name, &fault.to_string()));
+            }
+            TaskState::Broken => {
+                let fault = "the program failed while reading it; please report this file";
+                self.notices.error("Not opened", naming(name, fault));
+            }
+        }
+        self.files.opening = None;
+    }
+
+    fn poll_saving(&mut self, ctx: &egui::Context) {
+        let Some(saving) = self.files.saving.take() else { return };
+        let name = saving.path.display().to_string();
+        match saving.task.poll() {
+            TaskState::Running => self.files.saving = Some(saving),
+            TaskState::Finished(Ok(())) => {
+                self.notices.confirm("Scene saved", name);
+                self.finish_saving(saving.document, saving.path);
+                if let Some(intent) = self.files.after_saving.take() {
+                    self.carry_out(intent, ctx);
+                }
+            }
+            TaskState::Finished(Err(fault)) => {
+                self.notices.error("Not saved", naming(&name, &fault.to_string()));
+                self.files.after_saving = None;
+            }
+            TaskState::Broken => {
+                let fault = "the program failed while writing it; please report this scene";
+                self.notices.error("Not saved", naming(&name, fault));
+                self.files.after_saving = None;
+            }
+        }
+    }
+
+    /// The saved camera becomes the document's, so that the camera alone is no change.
+    fn finish_saving(&mut self, saved: Document, path: PathBuf) {
+        self.editor.document.scene.camera = saved.scene.camera;
+        self.editor.mark_saved(saved, path);
+    }
+}
+
+/// A text that names the file even where the fault does not.
+fn naming(name: &str, fault: &str) -> String {
+    if fault.contains(name) { fault.to_owned() } else { format!("{name}: {fault}") }
+}
+
+fn no_thread(name: &str, fault: &std::io::Error) -> String {
+    format!("{name}: the system gives no thread ({fault}). Close other programs and try again.")
+}
+
+fn current_folder() -> PathBuf {
+    std::env::current_dir().unwrap_or_default()
+}
+
+/// Says that a file can be dropped, or that one is being read.
+pub(super) fn drop_target_ui(ctx: &egui::Context, opening: Option<&str>) {
+    let hovering = ctx.input(|input| !input.raw.hovered_files.is_empty());
+    let text = match (hovering, opening) {
+        (true, _) => "Drop to open".to_owned(),
+        (false, Some(name)) => {
+            let name = Path::new(name).file_name().map_or(name.into(), |n| n.to_string_lossy());
+            format!("Opening {name}\u{2026}")
+        }
+        (false, None) => return,
+    };
+    let painter = ctx.layer_painter(LayerId::new(Order::Foreground, Id::unique("drop target")));
+    let room = ctx.content_rect();
+    painter.rect_filled(room, 0.0, egui::Color32::from_black_alpha(150));
+    let font = FontId::proportional(18.0);
+    painter.text(room.center(), Align2::CENTER_CENTER, text, font, theme::TEXT_STRONG);
+}

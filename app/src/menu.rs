@@ -1,0 +1,73 @@
+//! The menu bar.
+
+use brilliance_renderer::scene_file::scenes;
+use eframe::egui::{Button, Frame, Margin, MenuBar, Panel, RichText, Ui};
+
+use crate::command::Command;
+use crate::editor::Editor;
+use crate::orbit::StandardView;
+use crate::theme;
+
+/// Shows the bar at the top edge; gives what was chosen.
+pub fn show(ui: &mut Ui, editor: &Editor, panel_shown: bool) -> Option<Command> {
+    let frame = Frame::new().fill(theme::PANEL).inner_margin(Margin::symmetric(8, 3));
+    let bar = Panel::top("menu").frame(frame).show(ui, |ui| {
+        let mut chosen = None;
+        MenuBar::new().ui(ui, |ui| {
+            ui.menu_button("File", |ui| file_ui(ui, &mut chosen));
+            ui.menu_button("Edit", |ui| edit_ui(ui, editor, &mut chosen));
+            ui.menu_button("View", |ui| view_ui(ui, panel_shown, &mut chosen));
+            ui.menu_button("Help", |ui| {
+                entry(ui, true, "Mouse and keys", Command::ShowKeys, &mut chosen);
+                entry(ui, true, "About Brilliance", Command::ShowAbout, &mut chosen);
+            });
+            ui.add_space(12.0);
+            ui.label(RichText::new(editor.title()).color(theme::TEXT_WEAK));
+        });
+        chosen
+    });
+    bar.inner
+}
+
+fn file_ui(ui: &mut Ui, chosen: &mut Option<Command>) {
+    entry(ui, true, "Open\u{2026}", Command::Open, chosen);
+    ui.menu_button("Open scene", |ui| {
+        for (index, scene) in scenes().iter().enumerate() {
+            if ui.button(scene.name).clicked() {
+                *chosen = Some(Command::OpenScene(index));
+            }
+        }
+    });
+    ui.separator();
+    entry(ui, true, "Save scene", Command::Save, chosen);
+    entry(ui, true, "Save scene as\u{2026}", Command::SaveAs, chosen);
+    entry(ui, true, "Export still\u{2026}", Command::ExportStill, chosen);
+    ui.separator();
+    entry(ui, true, "Quit", Command::Quit, chosen);
+}
+
+fn edit_ui(ui: &mut Ui, editor: &Editor, chosen: &mut Option<Command>) {
+    let (has_past, has_future) = editor.has_past_and_future();
+    entry(ui, has_past, "Undo", Command::Undo, chosen);
+    entry(ui, has_future, "Redo", Command::Redo, chosen);
+    ui.separator();
+    entry(ui, editor.edited(), "Reset all changes", Command::Reset, chosen);
+}
+
+fn view_ui(ui: &mut Ui, panel_shown: bool, chosen: &mut Option<Command>) {
+    entry(ui, true, "Face-up", Command::Look(StandardView::FaceUp), chosen);
+    entry(ui, true, "Side", Command::Look(StandardView::Side), chosen);
+    entry(ui, true, "Pavilion-up", Command::Look(StandardView::Pavilion), chosen);
+    entry(ui, true, "Reset camera", Command::ResetCamera, chosen);
+    ui.separator();
+    let panel = if panel_shown { "Hide panel" } else { "Show panel" };
+    entry(ui, true, panel, Command::TogglePanel, chosen);
+}
+
+fn entry(ui: &mut Ui, enabled: bool, text: &str, command: Command, chosen: &mut Option<Command>) {
+    let shortcut = command.shortcut_text(ui.ctx()).unwrap_or_default();
+    let button = Button::new(text).shortcut_text(shortcut);
+    if ui.add_enabled(enabled, button).clicked() {
+        *chosen = Some(command);
+    }
+}

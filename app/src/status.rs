@@ -1,0 +1,168 @@
+//! The status line: what the session is doing and what it cost.
+
+use brilliance_renderer::session::{Activity, Progress};
+use eframe::egui::{Align, Color32, Frame, Layout, Margin, Panel, RichText, Sense, Ui, vec2};
+
+use crate::theme;
+
+/// Shows the line at the bottom edge; the tracer has `threads` threads.
+pub fn show(ui: &mut Ui, progress: &Progress, threads: usize) {
+    let frame = Frame::new().fill(theme::PANEL).inner_margin(Margin::symmetric(12, 4));
+    Panel::bottom("status").frame(frame).show(ui, |ui| {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 6.0;
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                item(ui, &cpu_backend(threads), "What traces the rays.");
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                    ui.shrink_clip_rect(ui.max_rect());
+                    progress_ui(ui, progress);
+                });
+            });
+        });
+    });
+}
+
+fn progress_ui(ui: &mut Ui, progress: &Progress) {
+    activity_ui(ui, progress.activity);
+    if progress.statistics.camera_rays == 0 {
+        return;
+    }
+    let statistics = &progress.statistics;
+    value(
+        ui,
+        &format!("{} / {}", progress.passes, progress.pass_limit),
+        "passes",
+        "Rays per pixel traced so far, of those asked for: the picture gets smoother with each.",
+    );
+    value(
+        ui,
+        &format!(
+            "{:.1} mean  {} max",
+            statistics.mean_segments_per_camera_ray(),
+            statistics.max_segments_per_camera_ray
+        ),
+        "rays/pixel",
+        "Ray segments that one camera ray needed: refracted, reflected and shadow rays.",
+    );
+    if progress.tracing_seconds > 0.0 {
+        let rate = statistics.segments as f64 / progress.tracing_seconds;
+        value(
+            ui,
+            &with_prefix(rate),
+            "rays/s",
+            "Ray segments traced per second, over all threads.",
+        );
+    }
+    ledger_ui(ui, progress);
+    value(
+        ui,
+        &duration(progress.tracing_seconds),
+        "",
+        "Time spent on tracing the picture that is shown.",
+    );
+}
+
+fn activity_ui(ui: &mut Ui, activity: Activity) {
+    let (text, colour, tooltip) = match activity {
+        Activity::Idle => ("Idle", theme::TEXT_WEAK, "There is nothing to trace."),
+        Activity::Preview => ("Preview", theme::WARNING, "A coarser picture while things change."),
+        Activity::Accumulating => {
+            ("Tracing", theme::ACCENT, "Passes at full resolution are being added.")
+        }
+        Activity::Done => ("Finished", theme::TEXT, "All passes asked for are in the picture."),
+        Activity::Failed => ("Failed", theme::ERROR, "The scene could not be traced."),
+    };
+    dot(ui, colour);
+    item(ui, text, tooltip);
+}
+
+fn dot(ui: &mut Ui, colour: Color32) {
+    let (rect, _) = ui.allocate_exact_size(vec2(8.0, 8.0), Sense::hover());
+    ui.painter().circle_filled(rect.center(), 3.5, colour);
+}
+
+/// The energy ledger, each account in percent of what entered.
+fn ledger_ui(ui: &mut Ui, progress: &Progress) {
+    let ledger = &progress.statistics.ledger;
+    if ledger.entered <= 0.0 {
+        return;
+    }
+    let mut accounts = vec![
+        (ledger.returned, "returned", "Energy that reached a light, the sky or the ground."),
+        (ledger.absorbed, "absorbed", "Energy that the colour of the stone swallowed."),
+        (ledger.pruned, "pruned", "Energy of rays that ended below the significance threshold."),
+        (ledger.cut_off, "cut off", "Energy of rays that ended at the maximum depth."),
+    ];
+    if ledger.lost > 0.0 {
+        accounts.push((ledger.lost, "lost", "Energy that slipped through a hole in a mesh."));
+    }
+    for (energy, name, tooltip) in accounts {
+        value(ui, &percent(energy / ledger.entered), name, tooltip);
+    }
+}
+
+/// A value and, weaker, what it counts.
+fn value(ui: &mut Ui, value: &str, name: &str, tooltip: &str) {
+    ui.add_space(8.0);
+    item(ui, value, tooltip);
+    if !name.is_empty() {
+        let name = RichText::new(name).small().color(theme::TEXT_WEAK);
+        ui.label(name).on_hover_text(tooltip);
+    }
+}
+
+fn item(ui: &mut Ui, text: &str, tooltip: &str) {
+    ui.label(RichText::new(text).small()).on_hover_text(tooltip);
+}
+
+fn percent(part: f64) -> String {
+    let percent = 100.0 * part;
+    if percent != 0.0 && percent.abs() < 0.1 {
+        format!("{percent:.3} %")
+    } else {
+        format!("{percent:.1} %")
+    }
+}
+
+/// A rate with an SI prefix and three digits.
+fn with_prefix(rate: f64) -> String {
+    match rate {
+        r if r >= 1e9 => format!("{:.2} G", r / 1e9),
+        r if r >= 1e6 => format!("{:.1} M", r / 1e6),
+        r if r >= 1e3 => format!("{:.0} k", r / 1e3),
+        r => format!("{r:.0}"),
+    }
+}
+
+/// Seconds as people say them.
+pub(crate) fn duration(seconds: f64) -> String {
+    let whole = seconds.max(0.0).round() as u64;
+    match whole {
+        0..60 => format!("{:.1} s", seconds.max(0.0)),
+        60..3600 => format!("{} min {:02} s", whole / 60, whole % 60),
+        _ => format!("{} h {:02} min", whole / 3600, whole / 60 % 60),
+    }
+}
+
+/// The name of the tracer with its threads.
+fn cpu_backend(threads: usize) -> String {
+    let plural = if threads == 1 { "" } else { "s" };
+    format!("CPU, {threads} thread{plural}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short() {
+        assert_eq!(with_prefix(4_120_000.0), "4.1 M");
+        assert_eq!(with_prefix(950.0), "950");
+        assert_eq!(percent(0.971), "97.1 %");
+        assert_eq!(percent(0.000_04), "0.004 %");
+        assert_eq!(percent(0.0), "0.0 %");
+        assert_eq!(duration(3.21), "3.2 s");
+        assert_eq!(duration(59.97), "1 min 00 s");
+        assert_eq!(duration(3671.0), "1 h 01 min");
+    }
+}

@@ -1,0 +1,216 @@
+//! The picture in the middle of the window, and the mouse on it.
+
+use std::sync::Arc;
+
+use brilliance_renderer::session::{Activity, Picture, Progress};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    self, Align2, Color32, ColorImage, FontId, Frame, Painter, PointerButton, Pos2, Rect, Response,
+    RichText, Sense, Shape, Stroke, TextureHandle, TextureOptions, Ui, WidgetInfo, pos2, vec2,
+};
+
+use crate::bounds::Bounds;
+use crate::orbit::Orbit;
+use crate::theme;
+
+/// Largest picture the window asks for, in pixels per side.
+const LARGEST_SIDE: f32 = 8192.0;
+/// Wheel travel, in points, that doubles the size of the stone.
+const POINTS_PER_DOUBLING: f32 = 400.0;
+
+/// The texture of the newest picture.
+#[derive(Default)]
+pub struct Viewport {
+    texture: Option<TextureHandle>,
+    /// Serial and size of the picture in the texture, and how it is sampled.
+    uploaded: Option<(u64, [u32; 2], TextureOptions)>,
+}
+
+/// What the viewport found out in this frame.
+#[derive(Debug)]
+pub struct ViewportResponse {
+    /// Size in physical pixels: the size the picture should have.
+    pub size: [u32; 2],
+    /// The stone was double-clicked: the camera goes back to where the scene put it.
+    pub reset: bool,
+    /// The widget, for focus.
+    pub response: Response,
+}
+
+impl Viewport {
+    /// Shows `picture` in all of the room that is left and moves the camera by the mouse.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        picture: Option<&Arc<Picture>>,
+        progress: &Progress,
+        orbit: &mut Orbit,
+        bounds: &Bounds,
+    ) -> ViewportResponse {
+        let pixels_per_point = ui.pixels_per_point();
+        let room = ui.available_rect_before_wrap();
+        let response = ui.allocate_rect(room, Sense::click_and_drag());
+        response.widget_info(|| {
+            WidgetInfo::labeled(Role::Image, true, "Picture of the stone: drag to turn it")
+        });
+        let size = [room.width(), room.height()]
+            .map(|side| (side * pixels_per_point).round().clamp(1.0, LARGEST_SIDE) as u32);
+
+        let painter = ui.painter_at(room);
+        painter.rect_filled(room, 0.0, theme::BACKDROP);
+        match picture {
+            Some(picture) => {
+                self.upload(ui.ctx(), picture, size);
+                self.paint(&painter, room, size, pixels_per_point);
+            }
+            None => empty_ui(&painter, room, progress),
+        }
+        if let Some(error) = &progress.error {
+            banner_ui(ui, room, error);
+        }
+        steer(ui, &response, orbit, bounds);
+        ViewportResponse { size, reset: response.double_clicked(), response }
+    }
+
+    fn upload(&mut self, ctx: &egui::Context, picture: &Picture, wanted: [u32; 2]) {
+        let options =
+            if picture.size == wanted { TextureOptions::NEAREST } else { TextureOptions::LINEAR };
+        let identity = (picture.serial, picture.size, options);
+        let pixels = picture.size[0] as usize * picture.size[1] as usize;
+        if self.uploaded == Some(identity) || picture.rgba8.len() != 4 * pixels || pixels == 0 {
+            return;
+        }
+        let size = picture.size.map(|side| side as usize);
+        let image = ColorImage::from_rgba_premultiplied(size, &picture.rgba8);
+        match &mut self.texture {
+            Some(texture) => texture.set(image, options),
+            None => self.texture = Some(ctx.load_texture("picture", image, options)),
+        }
+        self.uploaded = Some(identity);
+    }
+
+    fn paint(&self, painter: &Painter, room: Rect, wanted: [u32; 2], pixels_per_point: f32) {
+        let (Some(texture), Some((_, size, _))) = (&self.texture, self.uploaded) else { return };
+        let rect = if size == wanted {
+            // One pixel of the picture on one of the screen.
+            let corner = (room.min.to_vec2() * pixels_per_point).round() / pixels_per_point;
+            Rect::from_min_size(
+                corner.to_pos2(),
+                vec2(size[0] as f32, size[1] as f32) / pixels_per_point,
+            )
+        } else {
+            fitted(room, size)
+        };
+        let whole = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
+        painter.image(texture.id(), rect, whole, Color32::WHITE);
+    }
+}
+
+/// All of `room`, or as much of it as keeps the proportions of a picture that was made for
+/// another.
+fn fitted(room: Rect, size: [u32; 2]) -> Rect {
+    let aspect = size[0] as f32 / size[1].max(1) as f32;
+    let room_aspect = room.width() / room.height().max(1.0);
+    // A preview is rounded to whole pixels, which is no other proportion.
+    if (aspect / room_aspect - 1.0).abs() < 0.05 {
+        return room;
+    }
+    let size = if aspect > room_aspect {
+        vec2(room.width(), room.width() / aspect)
+    } else {
+        vec2(room.height() * aspect, room.height())
+    };
+    Rect::from_center_size(room.center(), size)
+}
+
+/// Turns, moves and zooms by the mouse and the trackpad.
+fn steer(ui: &Ui, response: &Response, orbit: &mut Orbit, bounds: &Bounds) {
+    let delta = response.drag_delta();
+    if delta != egui::Vec2::ZERO {
+        let pans = response.dragged_by(PointerButton::Middle)
+            || ui.input(|input| input.modifiers.shift && !input.modifiers.command);
+        if pans {
+            orbit.pan([delta.x, delta.y], response.rect.height(), bounds);
+        } else if response.dragged_by(PointerButton::Primary) {
+            orbit.rotate([delta.x, delta.y], bounds);
+        }
+    }
+    if let Some(cursor) = response.hover_pos() {
+        let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
+        let factor = pinch * (scroll / POINTS_PER_DOUBLING).exp2();
+        if factor != 1.0 {
+            let offset = (cursor - response.rect.center()) / (0.5 * response.rect.height());
+            orbit.zoom(factor, [offset.x, -offset.y], bounds);
+        }
+    }
+    if response.dragged() {
+        ui.ctx().set_cursor_icon(egui::CursorIcon::Grabbing);
+    }
+}
+
+/// What is seen before there is a picture.
+fn empty_ui(painter: &Painter, room: Rect, progress: &Progress) {
+    let centre = room.center();
+    outline(painter, centre - vec2(0.0, 40.0), 44.0);
+    let (title, hint) = match progress.activity {
+        Activity::Idle | Activity::Done => {
+            ("Nothing to show yet", "Open a scene or a glTF file, or drop one here")
+        }
+        Activity::Preview | Activity::Accumulating => ("Tracing the first picture\u{2026}", ""),
+        Activity::Failed => ("This scene can't be traced", ""),
+    };
+    let title_at = centre + vec2(0.0, 36.0);
+    painter.text(title_at, Align2::CENTER_CENTER, title, FontId::proportional(15.0), theme::TEXT);
+    let hint_at = centre + vec2(0.0, 60.0);
+    painter.text(
+        hint_at,
+        Align2::CENTER_CENTER,
+        hint,
+        FontId::proportional(13.0),
+        theme::TEXT_WEAK,
+    );
+}
+
+/// The profile of a brilliant, in thin lines.
+fn outline(painter: &Painter, centre: Pos2, half_width: f32) {
+    let at = |x: f32, y: f32| centre + vec2(x, y) * half_width;
+    let stroke = Stroke::new(1.2, theme::TEXT_WEAK);
+    let silhouette =
+        vec![at(-0.56, -0.5), at(0.56, -0.5), at(1.0, -0.2), at(0.0, 0.72), at(-1.0, -0.2)];
+    painter.add(Shape::closed_line(silhouette, stroke));
+    for line in [
+        vec![at(-1.0, -0.2), at(1.0, -0.2)],
+        vec![at(-0.56, -0.5), at(-0.36, -0.2), at(0.0, -0.5), at(0.36, -0.2), at(0.56, -0.5)],
+        vec![at(-0.36, -0.2), at(0.0, 0.72), at(0.36, -0.2)],
+    ] {
+        painter.add(Shape::line(line, stroke));
+    }
+}
+
+/// Says over the last good picture why there is no newer one.
+fn banner_ui(ui: &mut Ui, room: Rect, error: &str) {
+    let width = (room.width() - 32.0).clamp(120.0, 560.0);
+    let top = Rect::from_center_size(pos2(room.center().x, room.top() + 36.0), vec2(width, 40.0));
+    ui.scope_builder(egui::UiBuilder::new().max_rect(top), |ui| {
+        Frame::popup(ui.style()).stroke(Stroke::new(1.0, theme::ERROR)).show(ui, |ui| {
+            ui.set_width(width - 24.0);
+            ui.label(RichText::new("Not traced").strong().color(theme::ERROR));
+            ui.label(error);
+        });
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_of_other_proportions_is_fitted_not_stretched() {
+        let room = Rect::from_min_size(pos2(10.0, 20.0), vec2(400.0, 200.0));
+        assert_eq!(fitted(room, [201, 100]), room);
+        let square = fitted(room, [100, 100]);
+        assert_eq!(square, Rect::from_center_size(room.center(), vec2(200.0, 200.0)));
+        let wide = fitted(room, [400, 100]);
+        assert_eq!(wide.size(), vec2(400.0, 100.0));
+    }
+}
