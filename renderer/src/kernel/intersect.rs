@@ -1,12 +1,13 @@
 //! The nearest surface along a ray, over all bodies and the ground.
 
+use crate::accel::MAX_DEPTH;
 use crate::kernel::convex;
 use crate::kernel::mesh::{self, BoxRay, Sides};
 use crate::kernel::ray::{GROUND, Hit, Ray};
 use crate::packed::{CONVEX, Instance, NONE, PackedScene};
 
-/// Depth of the explicit stack of top-level nodes.
-const TOP_STACK: usize = 64;
+/// Top-level nodes that can wait at once: one per level, and the one to look at.
+const TOP_STACK: usize = MAX_DEPTH + 1;
 
 /// How far, as a part of the way to the middle of the body, a lost ray is moved inwards.
 const NUDGE: f32 = 1e-5;
@@ -54,11 +55,9 @@ fn meet_bodies(scene: &PackedScene, ray: &Ray, limit: f32, any: bool) -> Hit {
             continue;
         }
         if node.primitive_count == 0 {
-            if count + 2 <= TOP_STACK {
-                stack[count] = node.first + 1;
-                stack[count + 1] = node.first;
-                count += 2;
-            }
+            stack[count] = node.first + 1;
+            stack[count + 1] = node.first;
+            count += 2;
             continue;
         }
         for slot in node.first..node.first + node.primitive_count {

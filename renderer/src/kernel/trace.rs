@@ -11,8 +11,8 @@ use crate::kernel::ray::{GROUND, Hit, Ray};
 use crate::kernel::rng;
 use crate::packed::{NONE, PackedScene};
 
-/// Rays that can wait at once. The order of the walk keeps the number near
-/// 2·(depth + sub-rays of one interface); what would not fit is counted as cut off.
+/// Rays that can wait at once. What leaves a convex stone ends at once, so that only the splits of
+/// the path being followed wait; what would not fit is counted as cut off.
 pub const STACK_LEN: usize = 256;
 
 /// What stays the same over one pass.

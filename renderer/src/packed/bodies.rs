@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::{DVec3, Mat3, Vec4};
 
 use super::{BvhNode, CONVEX, Instance, MESH, PLANE_LANES, PackedTriangle};
-use crate::accel::{Bounds, build_hierarchy};
+use crate::accel::{Bounds, Hierarchy, MAX_DEPTH};
 use crate::error::RendererError;
 use crate::mesh::Mesh;
 use crate::scene::{Object, Scene, Shape, Transform};
@@ -31,6 +31,7 @@ pub(super) fn pack(scene: &Scene, materials: &[u32]) -> Result<PackedBodies, Ren
         check_transform(object)?;
         let half_spaces = match &object.shape {
             Shape::Mesh(source) => {
+                check_depth(&object.name, source.mesh.hierarchy().depth)?;
                 let root = *mesh_roots
                     .entry(Arc::as_ptr(&source.mesh))
                     .or_insert_with(|| bodies.push_mesh(&source.mesh));
@@ -46,7 +47,9 @@ pub(super) fn pack(scene: &Scene, materials: &[u32]) -> Result<PackedBodies, Ren
         bounds.push(bodies.push_convex(&solid, object, material));
     }
     bodies.mark_clear_interiors(&bounds, scene.ground.as_ref().map(|ground| ground.height));
-    (bodies.top_nodes, bodies.top_order) = build_hierarchy(&bounds);
+    let top = Hierarchy::new(&bounds);
+    check_depth("the scene", top.depth)?;
+    (bodies.top_nodes, bodies.top_order) = (top.nodes, top.order);
     Ok(bodies)
 }
 
@@ -58,6 +61,17 @@ fn check_transform(object: &Object) -> Result<(), RendererError> {
     Err(RendererError::Invalid(format!(
         "{}: the transform must be finite, with a unit rotation and a scale above 0",
         object.name
+    )))
+}
+
+/// A deeper hierarchy would overflow the tracers' stacks.
+fn check_depth(what: &str, depth: usize) -> Result<(), RendererError> {
+    if depth <= MAX_DEPTH {
+        return Ok(());
+    }
+    Err(RendererError::Invalid(format!(
+        "{what}: its parts are so unevenly placed that {depth} levels of boxes are needed, and \
+         {MAX_DEPTH} are allowed; split it into several objects"
     )))
 }
 
