@@ -98,8 +98,8 @@ pub struct PackedMaterial {
     pub absorption: u32,
     /// Row of the reflectance, or [`NONE`].
     pub reflectance: u32,
-    /// Fills the struct to 16 bytes.
-    pub padding: u32,
+    /// Least absorption coefficient of any bin, per mm.
+    pub least_absorption: f32,
 }
 
 /// A distant disc.

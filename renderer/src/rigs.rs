@@ -103,6 +103,8 @@ pub fn scaled(
 
 #[cfg(test)]
 mod tests {
+    use std::f32::consts::PI;
+
     use super::*;
 
     /// Irradiance on a horizontal floor, without shadows.

@@ -45,8 +45,8 @@ impl Scheduler {
     /// Time that the first pass after a change may take, in seconds: 40 frames per second leave
     /// room for developing and for the window.
     pub const PREVIEW_SECONDS: f64 = 0.025;
-    /// Coarsest draft: pixels of 16 × 16.
-    pub const MAX_DIVISOR: u32 = 16;
+    /// Coarsest draft: pixels of 32 × 32.
+    pub const MAX_DIVISOR: u32 = 32;
     /// Costs of a pixel before the first is measured, in seconds.
     const UNMEASURED_DRAFT: f64 = 1e-6;
     const UNMEASURED_FULL: f64 = 1e-5;

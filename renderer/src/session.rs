@@ -2,7 +2,7 @@
 //!
 //! Two threads work behind a [`Session`]. The *render* thread takes the newest request, traces
 //! pass after pass and hands on the film as an [`XyzImage`]; a newer request stops it within a
-//! strip of pixels. The *develop* thread turns the newest image into a [`Picture`] by the newest
+//! pixel. The *develop* thread turns the newest image into a [`Picture`] by the newest
 //! [`DisplaySettings`], so that exposure acts while a long pass is being traced.
 
 mod develop_thread;

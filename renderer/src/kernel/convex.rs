@@ -1,14 +1,15 @@
 //! Rays and convex solids: all facet planes in one loop, as many at a time as the processor can.
+#![expect(
+    clippy::inline_always,
+    reason = "vector instructions are only chosen where the code is inlined into their dispatch"
+)]
 
 use glam::Vec3;
 use pulp::{Arch, Simd, WithSimd};
 
+use crate::kernel::intersect::TOUCHING_MM;
 use crate::kernel::ray::{Hit, Ray};
 use crate::packed::{Instance, NONE, PLANE_LANES, PackedScene};
-
-/// A solid whose surface lies this little behind the start of a ray touches the one that the ray
-/// has left, in mm: rounding must not carry the ray past the surface.
-const TOUCHING_MM: f32 = 1e-4;
 
 /// Numbers the planes that are tested at a time.
 const LANES: [f32; PLANE_LANES] =
@@ -19,11 +20,12 @@ const NO_FACET: f32 = -1.0;
 
 /// Where a ray inside the solid leaves it. There is always such a point: rounding can't lose it.
 ///
-/// The facet that the ray has left is excluded: a ray can't meet a plane twice.
+/// `left_facet`, the one that the ray has just left, or [`NONE`], is excluded: a ray can't meet a
+/// plane twice.
 #[inline]
-pub fn exit(scene: &PackedScene, instance: &Instance, ray: &Ray) -> Hit {
+pub fn exit(scene: &PackedScene, instance: &Instance, ray: &Ray, left_facet: u32) -> Hit {
     let planes = Planes::of(scene, instance);
-    let left_facet = if ray.facet == NONE { NO_FACET } else { ray.facet as f32 };
+    let left_facet = if left_facet == NONE { NO_FACET } else { left_facet as f32 };
     let crossing = Arch::new().dispatch(NearestExit { planes, ray, left_facet });
     if crossing.facet < 0.0 {
         return Hit::MISS;
@@ -31,7 +33,7 @@ pub fn exit(scene: &PackedScene, instance: &Instance, ray: &Ray) -> Hit {
     planes.hit(crossing.distance.max(0.0), crossing.facet)
 }
 
-/// Where a ray from outside enters the solid.
+/// Where a ray from outside enters the solid. One that starts on its surface enters there.
 #[inline]
 pub fn entry(scene: &PackedScene, instance: &Instance, ray: &Ray) -> Hit {
     let planes = Planes::of(scene, instance);

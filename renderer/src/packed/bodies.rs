@@ -8,6 +8,7 @@ use glam::{DVec3, Mat3, Vec4};
 use super::{BvhNode, CONVEX, Instance, MESH, PLANE_LANES, PackedTriangle};
 use crate::accel::{Bounds, Hierarchy, MAX_DEPTH};
 use crate::error::RendererError;
+use crate::material::Material;
 use crate::mesh::Mesh;
 use crate::scene::{Object, Scene, Shape, Transform};
 use crate::solid::{HalfSpace, Solid};
@@ -31,7 +32,7 @@ pub(super) fn pack(scene: &Scene, materials: &[u32]) -> Result<PackedBodies, Ren
         check_transform(object)?;
         let half_spaces = match &object.shape {
             Shape::Mesh(source) => {
-                check_depth(&object.name, source.mesh.hierarchy().depth)?;
+                check_mesh(object, &source.mesh)?;
                 let root = *mesh_roots
                     .entry(Arc::as_ptr(&source.mesh))
                     .or_insert_with(|| bodies.push_mesh(&source.mesh));
@@ -62,6 +63,14 @@ fn check_transform(object: &Object) -> Result<(), RendererError> {
         "{}: the transform must be finite, with a unit rotation and a scale above 0",
         object.name
     )))
+}
+
+/// A refracting mesh must enclose a volume.
+fn check_mesh(object: &Object, mesh: &Mesh) -> Result<(), RendererError> {
+    if let (Material::Dielectric(_), Err(fault)) = (&object.material, mesh.closed()) {
+        return Err(RendererError::Invalid(format!("{}: {fault}", object.name)));
+    }
+    check_depth(&object.name, mesh.hierarchy().depth)
 }
 
 /// A deeper hierarchy would overflow the tracers' stacks.

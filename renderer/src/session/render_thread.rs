@@ -1,5 +1,6 @@
 //! The render thread: serves the newest request, pass by pass.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -17,22 +18,33 @@ use crate::tracer::{CpuTracer, View};
 /// Least time between two published states of an accumulating film.
 const PUBLISH_INTERVAL: Duration = Duration::from_millis(33);
 
+/// What the user reads where the tracer has panicked.
+const PANICKED: &str = "the tracer failed on this scene, which is a fault of the program; \
+    change a setting to try again, and please report it with the scene file";
+
 /// Serves requests until the session closes.
 pub(super) fn run(shared: &Shared, tracer: &CpuTracer) {
     let mut scheduler = Scheduler::new();
     let mut job: Option<Job> = None;
     while let Some((request, generation)) = shared.requests.wait() {
-        let carries_on = job.as_ref().is_some_and(|job| job.request.makes_same_film(&request));
+        // A film that was cut short is gone, whatever it was of.
+        let carries_on = job
+            .as_ref()
+            .is_some_and(|job| job.exposure.is_some() && job.request.makes_same_film(&request));
         if carries_on {
             scheduler.limit_passes(request.pass_limit);
         } else {
             scheduler.restart(request.size, request.pass_limit);
         }
-        match Job::new(request, job.take(), carries_on) {
-            Ok(mut next) => {
-                next.serve(shared, tracer, &mut scheduler, generation);
-                job = Some(next);
-            }
+        let previous = job.take();
+        // A bug in the tracer must not leave the window waiting for ever.
+        let served = catch_unwind(AssertUnwindSafe(|| {
+            let mut next = Job::new(request, previous, carries_on)?;
+            next.serve(shared, tracer, &mut scheduler, generation);
+            Ok(next)
+        }));
+        match served.unwrap_or_else(|_| Err(RendererError::Invalid(PANICKED.to_owned()))) {
+            Ok(served) => job = Some(served),
             Err(error) => shared.publish(Progress {
                 activity: Activity::Failed,
                 error: Some(error.to_string()),
