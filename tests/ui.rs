@@ -8,6 +8,7 @@ use std::sync::{Arc, Mutex};
 use brilliance::app::{App, Services};
 use brilliance::export::{StillJob, StillReport};
 use brilliance::notice::NoticeKind;
+use brilliance::opening::Opening;
 use brilliance_renderer::cuts::{RoundBrilliant, StandardProportions};
 use brilliance_renderer::error::RendererError;
 use brilliance_renderer::light::DiscLight;
@@ -31,18 +32,18 @@ fn services() -> Services {
     Services {
         ask_path: Arc::new(|_| None),
         render_still: Arc::new(|_, _, _| Err(RendererError::Cancelled)),
+        ..Services::default()
     }
 }
 
 fn harness_with(document: Document, file: Option<&Path>, services: Services) -> AppHarness {
-    let file = file.map(Path::to_owned);
+    let opening = Opening::Read { document: Box::new(document), file: file.map(Path::to_owned) };
     let mut harness = Harness::builder()
         .with_size(vec2(1400.0, 1300.0))
         .with_step_dt(1.0 / 60.0)
         .with_max_steps(30)
         .build_eframe(move |creation| {
-            App::with_services(&creation.egui_ctx, document, file.as_deref(), services)
-                .expect("threads")
+            App::new(&creation.egui_ctx, opening, services).expect("threads")
         });
     harness.run_steps(4);
     harness
@@ -494,13 +495,10 @@ fn export_renders_what_the_window_says() {
 
 #[test]
 fn the_picture_has_the_physical_pixels_of_the_viewport() {
-    let document = Document::default();
-    let mut harness = Harness::builder()
-        .with_size(vec2(1200.0, 900.0))
-        .with_pixels_per_point(1.5)
-        .build_eframe(move |creation| {
-            App::with_services(&creation.egui_ctx, document, None, services()).unwrap()
-        });
+    let mut harness =
+        Harness::builder().with_size(vec2(1200.0, 900.0)).with_pixels_per_point(1.5).build_eframe(
+            move |creation| App::new(&creation.egui_ctx, Opening::default(), services()).unwrap(),
+        );
     harness.run_steps(4);
     let points = harness.get_by_label_contains("Picture of the stone").rect().size();
     let size = request(&harness).size;

@@ -1,21 +1,21 @@
 //! The window on the desktop.
 
-use std::path::PathBuf;
 use std::sync::Arc;
+use std::time::Instant;
 
 use anyhow::anyhow;
-use brilliance_renderer::scene_file::Document;
 use eframe::egui::ViewportBuilder;
 use eframe::egui_wgpu::{WgpuConfiguration, WgpuSetup, WgpuSetupCreateNew};
 use eframe::{NativeOptions, Renderer};
 
-use crate::app::App;
+use crate::app::{App, Services};
+use crate::opening::Opening;
 
-/// Opens the window on `document`, which came from `file`, and stays until it is closed.
+/// Opens the window on `opening` and stays until it is closed; the process `started` then.
 ///
 /// # Errors
 /// There is no display, or no graphics driver that can draw a window.
-pub fn open(document: Document, file: Option<PathBuf>) -> anyhow::Result<()> {
+pub fn open(opening: Opening, started: Instant) -> anyhow::Result<()> {
     let options = NativeOptions {
         viewport: ViewportBuilder::default()
             .with_title("Brilliance")
@@ -31,7 +31,8 @@ pub fn open(document: Document, file: Option<PathBuf>) -> anyhow::Result<()> {
         "Brilliance",
         options,
         Box::new(move |creation| {
-            Ok(Box::new(App::new(&creation.egui_ctx, document, file.as_deref())?))
+            let services = Services { started, ..Services::default() };
+            Ok(Box::new(App::new(&creation.egui_ctx, opening, services)?))
         }),
     )
     .map_err(|fault| anyhow!("the window can't be opened: {fault}"))

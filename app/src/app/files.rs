@@ -8,6 +8,8 @@ use eframe::egui::{self, Align2, FontId, Id, LayerId, Order, ViewportCommand};
 
 use super::App;
 use crate::editor::Editor;
+use crate::notice::Notices;
+use crate::opening::Reading;
 use crate::path_dialog::{Purpose, Question};
 use crate::question::Decision;
 use crate::task::{Task, TaskState};
@@ -70,6 +72,23 @@ impl Files {
     /// True while the question about unsaved changes is open.
     pub(super) fn is_asking(&self) -> bool {
         self.asked.is_some()
+    }
+
+    /// Takes over a file that is being read since before there was a window.
+    pub(super) fn await_reading(
+        &mut self,
+        reading: Reading,
+        ctx: &egui::Context,
+        notices: &mut Notices,
+    ) {
+        let path = reading.path().to_owned();
+        let name = path.display().to_string();
+        let finish =
+            move || reading.finish().map(|document| Editor::new(document, Some(path.as_path())));
+        match Task::spawn("await opening", ctx, finish) {
+            Ok(task) => self.opening = Some((name, task)),
+            Err(fault) => notices.error("Not opened", no_thread(&name, &fault)),
+        }
     }
 
     /// The file that is being read.
