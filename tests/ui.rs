@@ -7,6 +7,7 @@ use std::sync::{Arc, Mutex};
 
 use brilliance::app::{App, Services};
 use brilliance::export::{StillJob, StillReport};
+use brilliance::live::Live;
 use brilliance::notice::NoticeKind;
 use brilliance::opening::Opening;
 use brilliance_renderer::cuts::{RoundBrilliant, StandardProportions};
@@ -43,7 +44,7 @@ fn harness_with(document: Document, file: Option<&Path>, services: Services) -> 
         .with_step_dt(1.0 / 60.0)
         .with_max_steps(30)
         .build_eframe(move |creation| {
-            App::new(&creation.egui_ctx, opening, services).expect("threads")
+            App::new(&creation.egui_ctx, opening, Live::new().expect("threads"), services)
         });
     harness.run_steps(4);
     harness
@@ -495,10 +496,12 @@ fn export_renders_what_the_window_says() {
 
 #[test]
 fn the_picture_has_the_physical_pixels_of_the_viewport() {
-    let mut harness =
-        Harness::builder().with_size(vec2(1200.0, 900.0)).with_pixels_per_point(1.5).build_eframe(
-            move |creation| App::new(&creation.egui_ctx, Opening::default(), services()).unwrap(),
-        );
+    let mut harness = Harness::builder()
+        .with_size(vec2(1200.0, 900.0))
+        .with_pixels_per_point(1.5)
+        .build_eframe(move |creation| {
+            App::new(&creation.egui_ctx, Opening::default(), Live::new().unwrap(), services())
+        });
     harness.run_steps(4);
     let points = harness.get_by_label_contains("Picture of the stone").rect().size();
     let size = request(&harness).size;

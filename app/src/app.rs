@@ -8,7 +8,6 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use brilliance_renderer::camera::Camera;
-use brilliance_renderer::error::RendererError;
 use brilliance_renderer::scene::Scene;
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::session::{RenderRequest, Session};
@@ -20,6 +19,7 @@ use crate::editor::Editor;
 use crate::export::{ExportWindow, RenderStill, render_and_write};
 use crate::first_picture::FirstPicture;
 use crate::help::Help;
+use crate::live::Live;
 use crate::menu;
 use crate::notice::Notices;
 use crate::opening::Opening;
@@ -59,8 +59,7 @@ pub struct App {
     scene: Arc<Scene>,
     bounds: Bounds,
     orbit: Orbit,
-    session: Session,
-    request: Option<RenderRequest>,
+    live: Live,
     viewport: Viewport,
     viewport_size: [u32; 2],
     viewport_focused: bool,
@@ -76,17 +75,10 @@ pub struct App {
 }
 
 impl App {
-    /// Shows what is opened.
-    ///
-    /// # Errors
-    /// The system gives the session no threads.
-    pub fn new(
-        ctx: &egui::Context,
-        opening: Opening,
-        services: Services,
-    ) -> Result<Self, RendererError> {
+    /// Shows what is opened by `live`, which may be tracing it already.
+    pub fn new(ctx: &egui::Context, opening: Opening, live: Live, services: Services) -> Self {
         theme::apply(ctx);
-        let repaint = ctx.clone();
+        live.wake(ctx);
         let mut notices = Notices::default();
         let mut files = Files::default();
         let editor = match opening {
@@ -97,13 +89,12 @@ impl App {
             }
         };
         let scene = Arc::new(editor.document.scene.clone());
-        Ok(Self {
+        Self {
             bounds: Bounds::of(&scene),
             orbit: Orbit::from_camera(&scene.camera),
             scene,
             editor,
-            session: Session::new(move || repaint.request_repaint())?,
-            request: None,
+            live,
             viewport: Viewport::default(),
             viewport_size: [1, 1],
             viewport_focused: false,
@@ -116,7 +107,7 @@ impl App {
             export: ExportWindow::new(services.render_still),
             help: None,
             title: String::new(),
-        })
+        }
     }
 
     /// The document as it is now.
@@ -126,12 +117,12 @@ impl App {
 
     /// The renderer's session.
     pub fn session(&self) -> &Session {
-        &self.session
+        self.live.session()
     }
 
     /// What the session was last asked for.
     pub fn request(&self) -> Option<&RenderRequest> {
-        self.request.as_ref()
+        self.live.request()
     }
 
     /// Where the picture is seen from.
@@ -174,24 +165,13 @@ impl App {
 
     /// Asks the session for what the document and the camera say.
     fn update_request(&mut self) {
-        if self.request.is_none() && self.files.opening_name().is_some() {
+        if self.live.request().is_none() && self.files.opening_name().is_some() {
             // The first picture is that of the file.
             return;
         }
         self.update_scene();
         let document = &self.editor.document;
-        let request = RenderRequest {
-            scene: Arc::clone(&self.scene),
-            camera: self.orbit.camera(),
-            size: self.viewport_size,
-            trace: document.trace.clone(),
-            pass_limit: document.still.passes,
-        };
-        if self.request.as_ref() != Some(&request) {
-            self.request = Some(request.clone());
-            self.session.request(request);
-        }
-        self.session.display(document.display.clone());
+        self.live.ask(document, &self.scene, self.orbit.camera(), self.viewport_size);
     }
 
     fn menu_ui(&mut self, ui: &mut Ui) {
@@ -209,7 +189,7 @@ impl App {
     }
 
     fn viewport_ui(&mut self, ui: &mut Ui) {
-        let (picture, progress) = (self.session.picture(), self.session.progress());
+        let (picture, progress) = (self.session().picture(), self.session().progress());
         let shown = CentralPanel::no_frame().show(ui, |ui| {
             self.viewport.show(ui, picture.as_ref(), &progress, &mut self.orbit, &self.bounds)
         });
@@ -243,7 +223,7 @@ impl eframe::App for App {
         self.first_picture.begin_frame();
         let ctx = ui.ctx().clone();
         self.menu_ui(ui);
-        status::show(ui, &self.session.progress(), self.session.threads());
+        status::show(ui, &self.session().progress(), self.session().threads());
         if self.panel_shown {
             self.panel_ui(ui);
         }

@@ -95,7 +95,7 @@ mod tests {
 
     #[test]
     fn a_missing_file_is_told_at_once() {
-        let fault = Opening::begin(Path::new("/no/such/stone.toml"), Duration::from_secs(60));
+        let fault = Opening::begin(Path::new("/no/such/stone.toml"), Duration::from_mins(1));
         assert!(fault.unwrap_err().to_string().contains("/no/such/stone.toml"));
     }
 
