@@ -5,6 +5,7 @@ use brilliance_renderer::material::{
 };
 use eframe::egui::{ComboBox, PopupCloseBehavior, RichText, ScrollArea, TextEdit, Ui};
 
+use super::curve::{self, Form, curve_ui};
 use crate::row::{SliderRow, labelled, readout};
 use crate::theme;
 
@@ -26,17 +27,12 @@ fn shown_name(material: &Material) -> String {
     match material {
         Material::Diffuse(_) => "Matte".to_owned(),
         Material::Dielectric(stone) => match find(&stone.name) {
-            Some(known) if !is_curve_of(&stone.dispersion, known) => {
+            Some(known) if !curve::is_standard(stone, known) => {
                 format!("{}, changed", stone.name)
             }
             _ => stone.name.clone(),
         },
     }
-}
-
-/// True for the measured curve and for the paper's straight line.
-fn is_curve_of(dispersion: &Dispersion, known: &LibraryMaterial) -> bool {
-    *dispersion == known.dispersion || *dispersion == known.linear()
 }
 
 /// The list of the library with a search field; gives what is chosen.
@@ -99,11 +95,9 @@ fn figures(known: &LibraryMaterial) -> String {
 }
 
 fn index_ui(ui: &mut Ui, dielectric: &mut Dielectric) {
-    let default = match (find(&dielectric.name), &dielectric.dispersion) {
-        (Some(known), Dispersion::Linear { .. }) => known.linear(),
-        (Some(known), _) => known.dispersion.clone(),
-        (None, dispersion) => dispersion.clone(),
-    };
+    let form = Form::of(dielectric);
+    let default = find(&dielectric.name).and_then(|known| form.standard(known));
+    let default = default.unwrap_or_else(|| dielectric.dispersion.clone());
     let (mut n_d, mut dispersion_bg) =
         (dielectric.dispersion.n_d(), dielectric.dispersion.dispersion_bg());
     let index_changed = SliderRow::new(
@@ -123,23 +117,15 @@ fn index_ui(ui: &mut Ui, dielectric: &mut Dielectric) {
     .decimals(4)
     .show(ui, &mut dispersion_bg);
     if index_changed || dispersion_changed {
-        dielectric.dispersion = dielectric.dispersion.rescaled(n_d, dispersion_bg);
+        dielectric.dispersion = form.through(dielectric, n_d, dispersion_bg);
     }
-    curve_ui(ui, &dielectric.dispersion);
+    curve_ui(ui, dielectric);
+    abbe_ui(ui, &dielectric.dispersion);
 }
 
-fn curve_ui(ui: &mut Ui, dispersion: &Dispersion) {
+fn abbe_ui(ui: &mut Ui, dispersion: &Dispersion) {
     let abbe = dispersion.abbe_number();
     let text = if abbe.is_finite() { format!("{abbe:.1}") } else { "\u{2013}".to_owned() };
     let tooltip = "The optician's measure, index minus one over dispersion: low means much fire.";
     readout(ui, "Abbe number", tooltip, &text);
-    let curve = match dispersion {
-        Dispersion::Linear { .. } => "Straight line",
-        Dispersion::Cauchy { .. } => "Cauchy",
-        Dispersion::Sellmeier { .. } => "Sellmeier, measured",
-        Dispersion::Tabulated { .. } => "Table",
-    };
-    let tooltip =
-        "The form of the index over wavelength; the straight line is that of Thomas 1986.";
-    readout(ui, "Index curve", tooltip, curve);
 }

@@ -1,5 +1,6 @@
 //! The side panel: the sections that edit the document.
 
+mod curve;
 mod display;
 mod lights;
 mod material;
