@@ -135,6 +135,11 @@ impl App {
         &self.notices
     }
 
+    /// True while the question about unsaved changes is open.
+    pub fn asks_about_changes(&self) -> bool {
+        self.files.is_asking()
+    }
+
     /// The title of the window.
     pub fn title(&self) -> &str {
         &self.title

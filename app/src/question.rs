@@ -20,16 +20,16 @@ pub fn show(ctx: &Context, name: &str) -> Option<Decision> {
     let modal = theme::dialog(ctx, "unsaved changes").show(ctx, |ui| {
         ui.set_width(360.0);
         ui.heading("Save your changes?");
-        ui.label(format!("{name} has been changed since it was opened or saved."));
-        ui.add_space(4.0);
+        ui.label(format!("{name} has changes that are in no file yet."));
+        ui.add_space(8.0);
         let mut decision = None;
         ui.horizontal(|ui| {
-            for (text, choice) in [
-                ("Save", Decision::Save),
-                ("Discard", Decision::Discard),
-                ("Cancel", Decision::Cancel),
+            for (button, choice) in [
+                (theme::main_button("Save"), Decision::Save),
+                (theme::dialog_button("Discard"), Decision::Discard),
+                (theme::dialog_button("Cancel"), Decision::Cancel),
             ] {
-                if ui.button(text).clicked() {
+                if ui.add(button).clicked() {
                     decision = Some(choice);
                 }
             }

@@ -17,7 +17,7 @@ use crate::orbit::Orbit;
 const WINDOW_POINTS: [f32; 2] = [1480.0, 920.0];
 /// Size of the picture in a window of this size, where a point is a pixel. In any other window the
 /// first picture is made anew.
-const LIKELY_PICTURE: [u32; 2] = [1140, 860];
+const LIKELY_PICTURE: [u32; 2] = [1128, 860];
 
 /// Opens the window on `opening` and stays until it is closed; the process `started` then.
 ///

@@ -70,6 +70,7 @@ fn unsaved_changes_are_asked_about_before_another_scene_is_opened() {
     harness.get_by_label_contains("Open scene").click();
     harness.run_steps(3);
     harness.get_by_label(scenes()[0].name).click();
+    wait(&mut harness, "the question", |app| app.asks_about_changes());
     harness.run_steps(3);
     harness.get_by_label("Save your changes?");
     harness.get_by_label("Cancel").click();

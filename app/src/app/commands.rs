@@ -29,6 +29,11 @@ impl App {
             Command::Zoom(factor) => self.orbit.zoom(factor, [0.0, 0.0], &self.bounds),
             Command::TogglePanel => self.panel_shown = !self.panel_shown,
             Command::ShowKeys => self.help = Some(Help::Keys),
+            Command::Dismiss => {
+                if !self.export.close() {
+                    self.notices.dismiss();
+                }
+            }
             Command::ShowAbout => self.help = Some(Help::About),
         }
     }

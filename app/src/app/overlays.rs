@@ -29,7 +29,7 @@ impl App {
             self.help = None;
         }
         if self.files.is_asking()
-            && let Some(decision) = question::show(ctx, self.editor.stem())
+            && let Some(decision) = question::show(ctx, self.editor.name())
         {
             self.decide(decision, ctx);
         }

@@ -128,7 +128,7 @@ fn choices(known: Option<&LibraryMaterial>) -> Vec<(Form, &'static str, String)>
 
 fn shown(stone: &Dielectric, form: Form) -> &'static str {
     match (form, &stone.dispersion) {
-        (Form::StraightLine, _) => "Straight line (Thomas 1986)",
+        (Form::StraightLine, _) => "Straight line",
         (Form::Cauchy, _) => "Cauchy",
         (Form::Measured, dispersion) => {
             let measured = find(&stone.name).is_some_and(|known| known.dispersion == *dispersion);

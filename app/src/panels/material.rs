@@ -3,7 +3,7 @@
 use brilliance_renderer::material::{
     Dielectric, Dispersion, LibraryMaterial, Material, find, library,
 };
-use eframe::egui::{ComboBox, PopupCloseBehavior, RichText, ScrollArea, TextEdit, Ui};
+use eframe::egui::{ComboBox, Key, PopupCloseBehavior, RichText, ScrollArea, TextEdit, Ui};
 
 use super::curve::{self, Form, curve_ui};
 use crate::row::{SliderRow, labelled, readout};
@@ -54,23 +54,26 @@ fn library_ui(ui: &mut Ui, shown: &str, filter: &mut String) -> Option<&'static 
 fn choices_ui(ui: &mut Ui, shown: &str, filter: &mut String) -> Option<&'static LibraryMaterial> {
     let search = TextEdit::singleline(filter).hint_text("Search").desired_width(f32::INFINITY);
     let search = ui.add(search);
-    if ui.memory(|memory| memory.focused().is_none()) {
+    if ui.memory(|memory| memory.focused().is_none()) && !search.lost_focus() {
         search.request_focus();
     }
     let wanted = filter.trim().to_lowercase();
     let matches =
         |known: &LibraryMaterial| known.names().any(|name| name.to_lowercase().contains(&wanted));
-    let mut chosen = None;
+    let entered = search.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+    let mut chosen = library().iter().find(|known| entered && matches(known));
     ScrollArea::vertical().max_height(320.0).show(ui, |ui| {
         for known in library().iter().filter(|known| matches(known)) {
             let label = ui.selectable_label(known.name == shown, &known.name);
             if label.on_hover_text(figures(known)).clicked() {
                 chosen = Some(known);
-                filter.clear();
-                ui.close();
             }
         }
     });
+    if chosen.is_some() {
+        filter.clear();
+        ui.close();
+    }
     chosen
 }
 

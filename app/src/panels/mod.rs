@@ -33,7 +33,7 @@ pub fn show(
     state: &mut PanelState,
 ) {
     let frame = Frame::new().fill(theme::PANEL).inner_margin(Margin { left: 14, ..Margin::ZERO });
-    Panel::right("panel").frame(frame).default_size(340.0).size_range(300.0..=520.0).show(
+    Panel::right("panel").frame(frame).default_size(352.0).size_range(300.0..=520.0).show(
         ui,
         |ui| {
             ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
