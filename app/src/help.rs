@@ -40,7 +40,7 @@ pub fn show(ctx: &Context, page: Help) -> bool {
             Help::About => about_ui(ui),
         }
         ui.add_space(8.0);
-        ui.add(theme::dialog_button("Close")).clicked()
+        ui.horizontal(|ui| ui.add(theme::dialog_button("Close")).clicked()).inner
     });
     !(modal.inner || modal.should_close())
 }

@@ -136,3 +136,8 @@ fn notice_ui(ui: &mut Ui, notice: &Notice) -> bool {
         })
         .inner
 }
+
+/// A text that names the file even where the fault does not.
+pub fn naming(name: &str, fault: &str) -> String {
+    if fault.contains(name) { fault.to_owned() } else { format!("{name}: {fault}") }
+}

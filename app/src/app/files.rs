@@ -8,10 +8,10 @@ use eframe::egui::{self, Align2, FontId, Id, LayerId, Order, ViewportCommand};
 
 use super::App;
 use crate::editor::Editor;
-use crate::notice::Notices;
+use crate::notice::{Notices, naming};
 use crate::opening::Reading;
 use crate::path_dialog::{Purpose, Question};
-use crate::question::Decision;
+use crate::question::{Decision, Loss};
 use crate::task::{Task, TaskState};
 use crate::theme;
 
@@ -175,10 +175,19 @@ impl App {
         }
     }
 
-    /// Holds the window open while changes are unsaved.
+    /// What the intent that is asked about would lose.
+    pub(super) fn loss(&self) -> Loss<'_> {
+        let quits = matches!(self.files.asked, Some(Intent::Quit));
+        Loss {
+            changed: self.editor.edited().then(|| self.editor.name()),
+            export: quits && self.export.is_running(),
+        }
+    }
+
+    /// Holds the window open while changes are unsaved or a still is rendered.
     pub(super) fn guard_close(&mut self, ctx: &egui::Context) {
         let closing = ctx.input(|input| input.viewport().close_requested());
-        if closing && self.editor.edited() && !self.files.may_quit {
+        if closing && !self.files.may_quit && (self.editor.edited() || self.export.is_running()) {
             ctx.send_viewport_cmd(ViewportCommand::CancelClose);
             self.files.asked = Some(Intent::Quit);
         }
@@ -269,11 +278,6 @@ impl App {
         self.editor.document.scene.camera = saved.scene.camera;
         self.editor.mark_saved(saved, path);
     }
-}
-
-/// A text that names the file even where the fault does not.
-fn naming(name: &str, fault: &str) -> String {
-    if fault.contains(name) { fault.to_owned() } else { format!("{name}: {fault}") }
 }
 
 fn no_thread(name: &str, fault: &std::io::Error) -> String {

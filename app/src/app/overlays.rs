@@ -29,7 +29,7 @@ impl App {
             self.help = None;
         }
         if self.files.is_asking()
-            && let Some(decision) = question::show(ctx, self.editor.name())
+            && let Some(decision) = question::show(ctx, self.loss())
         {
             self.decide(decision, ctx);
         }

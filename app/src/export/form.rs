@@ -86,6 +86,26 @@ impl Form {
         width * height * u64::from(bins) * size_of::<f32>() as u64
     }
 
+    /// Looks whether the file exists.
+    pub(super) fn look(&mut self) {
+        self.replaces = self.path().is_file();
+    }
+
+    /// What keeps the file from being written, if it can be seen from its name.
+    pub(super) fn fault(&self) -> Option<&'static str> {
+        let path = self.path();
+        if path.file_name().is_none() {
+            Some("Type a file name, or browse for a folder.")
+        } else if path
+            .extension()
+            .is_some_and(|ending| ending.eq_ignore_ascii_case(self.extension()))
+        {
+            None
+        } else {
+            Some("The name must end with .png or .exr.")
+        }
+    }
+
     /// The still that is described.
     pub(super) fn order(&self) -> StillOrder {
         StillOrder { path: self.path(), format: self.still_format(), still: self.still }
@@ -201,8 +221,8 @@ impl Form {
 
     /// Takes the format from the ending of the path.
     fn follow_path(&mut self) {
+        self.look();
         let path = self.path();
-        self.replaces = path.is_file();
         let Some(extension) = path.extension() else { return };
         if extension.eq_ignore_ascii_case("exr") {
             self.format = Format::Exr;

@@ -14,11 +14,13 @@ use form::Form;
 use job::RunningJob;
 pub use job::{RenderStill, StillJob, StillReport, render_and_write};
 
-use crate::notice::Notices;
+use crate::notice::{Notices, naming};
 use crate::row::readout;
 use crate::status::duration;
 use crate::task::TaskState;
 use crate::theme;
+
+const FAILED: &str = "Export failed";
 
 /// Largest film of a still, in bytes.
 const LARGEST_FILM: u64 = 8 << 30;
@@ -93,7 +95,10 @@ impl ExportWindow {
     /// Starts `job`.
     pub fn start(&mut self, job: StillJob, ctx: &egui::Context, notices: &mut Notices) {
         match RunningJob::start(job, &self.render, ctx) {
-            Ok(running) => self.running = Some(running),
+            Ok(running) => {
+                notices.withdraw(FAILED);
+                self.running = Some(running);
+            }
             Err(fault) => notices.error(
                 "Export not started",
                 format!("The system gives no thread: {fault}. Close other programs and try again."),
@@ -115,16 +120,17 @@ impl ExportWindow {
             TaskState::Finished(Err(RendererError::Cancelled)) => {
                 notices.confirm("Export cancelled", "Nothing was written.");
             }
-            TaskState::Finished(Err(fault)) => notices.error(
-                "Export failed",
-                format!("{path} was not written: {fault}. Choose another folder or size."),
-            ),
+            TaskState::Finished(Err(fault)) => {
+                let path = path.to_string();
+                notices.error(FAILED, naming(&path, &fault.to_string()));
+            }
             TaskState::Broken => notices.error(
-                "Export failed",
+                FAILED,
                 format!("{path} was not written: the renderer stopped. Try a smaller size."),
             ),
         }
         self.running = None;
+        self.form.look();
     }
 
     /// Shows the window. `window_size` is the size of the viewport in pixels, `bins` the number
@@ -166,21 +172,17 @@ impl ExportWindow {
         let film = self.form.film_bytes(bins);
         let text = format!("{:.0} MB", film as f64 / 1e6);
         readout(ui, "Memory", "What the spectral film of this still needs.", &text);
-        let fault = if self.form.path().as_os_str().is_empty() {
-            Some("Type a file name, or browse for a folder.".to_owned())
-        } else if film > LARGEST_FILM {
-            Some(format!(
-                "A film of {text} is too large: choose a smaller size or fewer spectral bins."
-            ))
-        } else {
-            None
-        };
+        let fault = self.form.fault().map(str::to_owned).or_else(|| {
+            (film > LARGEST_FILM).then(|| {
+                format!("A film of {text} is too large: choose a smaller size or fewer bins.")
+            })
+        });
         if let Some(fault) = &fault {
             ui.label(RichText::new(fault).color(theme::WARNING));
         }
-        ui.add_enabled(fault.is_none(), theme::main_button("Export"))
-            .clicked()
-            .then(|| ExportAction::Start(self.form.order()))
+        let export =
+            ui.horizontal(|ui| ui.add_enabled(fault.is_none(), theme::main_button("Export")));
+        export.inner.clicked().then(|| ExportAction::Start(self.form.order()))
     }
 }
 
