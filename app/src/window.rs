@@ -34,6 +34,8 @@ pub fn open(opening: Opening, started: Instant) -> anyhow::Result<()> {
             .with_drag_and_drop(true),
         renderer: Renderer::Wgpu,
         wgpu_options: graphics(),
+        // The picture's pixels are shown as they are.
+        dithering: false,
         ..NativeOptions::default()
     };
     eframe::run_native(
