@@ -57,15 +57,12 @@ impl Viewport {
             .map(|side| (side * pixels_per_point).round().clamp(1.0, LARGEST_SIDE) as u32);
 
         let painter = ui.painter_at(room);
-        match picture {
-            Some(picture) => {
-                self.upload(ui.ctx(), picture, size);
-                self.paint(&painter, room, size, pixels_per_point);
-            }
-            None => {
-                painter.rect_filled(room, 0.0, theme::BACKDROP);
-                empty_ui(&painter, room, progress);
-            }
+        if let Some(picture) = picture {
+            self.upload(ui.ctx(), picture, size);
+            self.paint(&painter, room, size, pixels_per_point);
+        } else {
+            painter.rect_filled(room, 0.0, theme::BACKDROP);
+            empty_ui(&painter, room, progress);
         }
         if let Some(error) = &progress.error {
             banner_ui(ui, room, error);

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use brilliance::app::Services;
+use brilliance::app::{App, Services};
 use brilliance::notice::NoticeKind;
 use brilliance_renderer::cuts::RoundBrilliant;
 use brilliance_renderer::scene_file::{Document, scenes};
@@ -70,7 +70,7 @@ fn unsaved_changes_are_asked_about_before_another_scene_is_opened() {
     harness.get_by_label_contains("Open scene").click();
     harness.run_steps(3);
     harness.get_by_label(scenes()[0].name).click();
-    wait(&mut harness, "the question", |app| app.asks_about_changes());
+    wait(&mut harness, "the question", App::asks_about_changes);
     harness.run_steps(3);
     harness.get_by_label("Save your changes?");
     harness.get_by_label("Cancel").click();
