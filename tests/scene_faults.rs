@@ -164,7 +164,7 @@ fn faults_in_lights_ground_and_camera() {
         ),
         (
             "blind camera",
-            "format = 1\n[camera]\nposition_mm = [0, 0, 0]\n".into(),
+            "format = 1\n[camera]\nposition_mm = [0, 0, 9]\ntarget_mm = [0, 0, 9]\n".into(),
             &["line 3", "`camera.position_mm`", "on the target"],
         ),
     ]);

@@ -1,10 +1,11 @@
-//! Bounding volume hierarchies, built by obvhs and kept in the form that both tracers read.
+//! Bounding volume hierarchies, built by obvhs and kept in the form that tracers read.
 
 use std::time::Duration;
 
 use glam::Vec3;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::builder::build_bvh2;
+use obvhs::bvh2::node::Bvh2Node;
 use obvhs::{Boundable, BvhBuildParams};
 
 use crate::mesh::Mesh;
@@ -46,6 +47,40 @@ impl Boundable for Bounds {
     }
 }
 
+/// Levels below the root that the tracers' stacks of nodes have room for. A million triangles need
+/// about 30; only a mesh made for the purpose needs more.
+pub const MAX_DEPTH: usize = 96;
+
+/// A hierarchy over primitives of any kind.
+#[derive(Clone, Debug, Default)]
+pub struct Hierarchy {
+    /// Node 0 is the root; empty where there are no primitives.
+    pub nodes: Vec<BvhNode>,
+    /// Primitive per leaf slot.
+    pub order: Vec<u32>,
+    /// Levels below the root.
+    pub depth: usize,
+}
+
+impl Hierarchy {
+    /// Builds the hierarchy over primitives with these bounds.
+    pub fn new(bounds: &[Bounds]) -> Self {
+        if bounds.is_empty() {
+            return Self::default();
+        }
+        let bvh = build_bvh2(bounds, BvhBuildParams::medium_build(), &mut Duration::default());
+        let node = |node: &Bvh2Node| BvhNode {
+            min: node.aabb().min.into(),
+            primitive_count: node.prim_count,
+            max: node.aabb().max.into(),
+            first: node.first_index,
+        };
+        let nodes = bvh.nodes.iter().map(node).collect();
+        let depth = bvh.depth(0);
+        Self { nodes, order: bvh.primitive_indices, depth }
+    }
+}
+
 /// The hierarchy of a mesh: nodes, and the triangles in leaf order.
 #[derive(Clone, Debug, Default)]
 pub struct MeshHierarchy {
@@ -53,6 +88,8 @@ pub struct MeshHierarchy {
     pub nodes: Vec<BvhNode>,
     /// Triangles in the order of the leaves.
     pub triangles: Vec<PackedTriangle>,
+    /// Levels below the root.
+    pub depth: usize,
 }
 
 impl MeshHierarchy {
@@ -67,9 +104,9 @@ impl MeshHierarchy {
             })
             .collect();
         let bounds: Vec<_> = triangles.iter().map(|t| Bounds::of([t.a, t.b, t.c])).collect();
-        let (nodes, order) = build_hierarchy(&bounds);
+        let Hierarchy { nodes, order, depth } = Hierarchy::new(&bounds);
         let triangles = order.iter().map(|&i| triangles[i as usize]).collect();
-        Self { nodes, triangles }
+        Self { nodes, triangles, depth }
     }
 }
 
@@ -87,23 +124,4 @@ fn packed_triangle([a, b, c]: [Vec3; 3], facet: u32) -> PackedTriangle {
         normal_z: normal.z,
         padding: [0; 3],
     }
-}
-
-/// Builds a hierarchy over `bounds`: nodes, and the primitive index per leaf slot.
-pub fn build_hierarchy(bounds: &[Bounds]) -> (Vec<BvhNode>, Vec<u32>) {
-    if bounds.is_empty() {
-        return (Vec::new(), Vec::new());
-    }
-    let bvh = build_bvh2(bounds, BvhBuildParams::medium_build(), &mut Duration::default());
-    let nodes = bvh
-        .nodes
-        .iter()
-        .map(|node| BvhNode {
-            min: node.aabb().min.into(),
-            primitive_count: node.prim_count,
-            max: node.aabb().max.into(),
-            first: node.first_index,
-        })
-        .collect();
-    (nodes, bvh.primitive_indices)
 }

@@ -17,14 +17,14 @@ pub struct Camera {
 }
 
 impl Default for Camera {
-    /// Looks down on a 6.5 mm stone at 35° from the vertical.
+    /// Looks down on a 6.5 mm stone at 28° from the vertical.
     fn default() -> Self {
-        let tilt = 35.0_f32.to_radians();
+        let tilt = 28.0_f32.to_radians();
         Self {
             position: Vec3::new(0.0, -tilt.sin(), tilt.cos()) * 30.0,
-            target: Vec3::ZERO,
+            target: Vec3::new(0.0, 0.0, -0.3),
             up: Vec3::Z,
-            fov_y_radians: 18.0_f32.to_radians(),
+            fov_y_radians: 15.0_f32.to_radians(),
         }
     }
 }

@@ -50,10 +50,10 @@ pub struct Lights {
     pub hemisphere: Option<SkyLight>,
     /// One radiance from every direction.
     pub environment: Option<SkyLight>,
-    /// Half-angle, in radians, of the black cone the observer's head cuts out of the sky lights
-    /// about the direction towards the camera; 0 is off.
+    /// Half-angle, in radians, of the black cone that the observer's head cuts out of the sky about
+    /// the direction towards the camera, as stones see it; matte surfaces see the whole sky. 0 is off.
     pub observer_shadow_radians: f32,
-    /// What a camera ray that meets nothing shows instead of the sky lights.
+    /// What a camera ray that meets nothing shows instead of the lights.
     pub backdrop: Option<SkyLight>,
 }
 

@@ -12,26 +12,12 @@ use crate::error::RendererError;
 use crate::scene::Scene;
 use crate::spectrum::Bins;
 
-/// Number of planes tested at a time.
-pub const PLANES_PER_BLOCK: usize = 8;
+/// Most planes that any processor tests at a time; a solid's planes are filled up to a multiple.
+pub const PLANE_LANES: usize = 16;
 /// Entries of an index table: one per nm from 380 to 730.
 pub const INDEX_TABLE_LEN: usize = 351;
 /// The index of nothing: no instance, no facet, no material.
 pub const NONE: u32 = u32::MAX;
-
-/// Eight facet planes side by side; unused lanes have normal 0 and are never met.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-pub struct PlaneBlock {
-    /// x of the outward unit normals.
-    pub nx: [f32; PLANES_PER_BLOCK],
-    /// y of the outward unit normals.
-    pub ny: [f32; PLANES_PER_BLOCK],
-    /// z of the outward unit normals.
-    pub nz: [f32; PLANES_PER_BLOCK],
-    /// Distances from the origin of the world along the normals.
-    pub distance: [f32; PLANES_PER_BLOCK],
-}
 
 /// A node of a bounding volume hierarchy; two children side by side, or a run of primitives.
 #[repr(C)]
@@ -76,7 +62,8 @@ impl PackedTriangle {
     }
 }
 
-/// [`Instance::kind`] of a convex solid: `first` and `count` are plane blocks, in world space.
+/// [`Instance::kind`] of a convex solid: `count` planes in world space, at `first` in
+/// [`PackedScene::planes`].
 pub const CONVEX: u32 = 0;
 /// [`Instance::kind`] of a mesh: `first` is the root node of its hierarchy.
 pub const MESH: u32 = 1;
@@ -89,9 +76,9 @@ pub struct Instance {
     pub object_from_world: [Vec4; 3],
     /// [`CONVEX`] or [`MESH`].
     pub kind: u32,
-    /// First plane block or root node.
+    /// First number of the planes, or root node.
     pub first: u32,
-    /// Number of plane blocks.
+    /// Number of planes, those that fill up included.
     pub count: u32,
     /// Index into the materials.
     pub material: u32,
@@ -111,8 +98,8 @@ pub struct PackedMaterial {
     pub absorption: u32,
     /// Row of the reflectance, or [`NONE`].
     pub reflectance: u32,
-    /// Fills the struct to 16 bytes.
-    pub padding: u32,
+    /// Least absorption coefficient of any bin, per mm.
+    pub least_absorption: f32,
 }
 
 /// A distant disc.
@@ -176,8 +163,10 @@ pub struct PackedScene {
     pub top_nodes: Vec<BvhNode>,
     /// Instance index per leaf slot of `top_nodes`.
     pub top_order: Vec<u32>,
-    /// Planes of all convex solids.
-    pub planes: Vec<PlaneBlock>,
+    /// Facet planes of all convex solids. Each solid has four runs of numbers, one per plane: x, y
+    /// and z of the outward unit normals, and the distances from the origin of the world. Planes
+    /// that fill up have normal 0 and are never met.
+    pub planes: Vec<f32>,
     /// Hierarchies of all meshes.
     pub nodes: Vec<BvhNode>,
     /// Triangles of all meshes, in leaf order.

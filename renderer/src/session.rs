@@ -2,7 +2,7 @@
 //!
 //! Two threads work behind a [`Session`]. The *render* thread takes the newest request, traces
 //! pass after pass and hands on the film as an [`XyzImage`]; a newer request stops it within a
-//! strip of pixels. The *develop* thread turns the newest image into a [`Picture`] by the newest
+//! pixel. The *develop* thread turns the newest image into a [`Picture`] by the newest
 //! [`DisplaySettings`], so that exposure acts while a long pass is being traced.
 
 mod develop_thread;
@@ -21,7 +21,8 @@ use crate::statistics::Statistics;
 use crate::tracer::CpuTracer;
 use mailbox::Mailbox;
 
-/// Everything that decides the film. Equal requests need no work; a different one restarts.
+/// Everything that decides the film. Equal requests need no work; a different one restarts, unless
+/// only the number of passes differs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RenderRequest {
     /// What is seen.
@@ -34,6 +35,17 @@ pub struct RenderRequest {
     pub trace: TraceSettings,
     /// Passes after which the picture is done.
     pub pass_limit: u32,
+}
+
+impl RenderRequest {
+    /// Whether the two differ at most in how many passes they want: the film carries on.
+    pub fn makes_same_film(&self, other: &Self) -> bool {
+        let Self { scene, camera, size, trace, pass_limit: _ } = self;
+        (Arc::ptr_eq(scene, &other.scene) || *scene == other.scene)
+            && *camera == other.camera
+            && *size == other.size
+            && *trace == other.trace
+    }
 }
 
 /// A developed image, ready for the screen.
@@ -82,34 +94,19 @@ pub struct Progress {
     pub error: Option<String>,
 }
 
-/// The film as the develop thread gets it.
-#[derive(Clone)]
-struct Negative {
-    image: Arc<XyzImage>,
-    display: DisplaySettings,
-}
-
 /// What the threads share. A poisoned lock still holds a whole value, so poison is ignored.
 struct Shared {
     requests: Mailbox<RenderRequest>,
     image: Mutex<Option<Arc<XyzImage>>>,
     display: Mutex<DisplaySettings>,
-    negatives: Mailbox<Negative>,
+    /// Says that there is something new to develop.
+    to_develop: Mailbox<()>,
     picture: Mutex<Option<Arc<Picture>>>,
     progress: Mutex<Progress>,
     on_update: Box<dyn Fn() + Send + Sync>,
 }
 
 impl Shared {
-    /// Asks for the newest image to be developed by the newest settings.
-    fn develop(&self) {
-        let image = lock(&self.image).clone();
-        let display = lock(&self.display).clone();
-        if let Some(image) = image {
-            self.negatives.post(Negative { image, display });
-        }
-    }
-
     fn publish(&self, progress: Progress) {
         *lock(&self.progress) = progress;
         (self.on_update)();
@@ -142,7 +139,7 @@ impl Session {
             requests: Mailbox::new(),
             image: Mutex::new(None),
             display: Mutex::new(DisplaySettings::default()),
-            negatives: Mailbox::new(),
+            to_develop: Mailbox::new(),
             picture: Mutex::new(None),
             progress: Mutex::new(Progress::default()),
             on_update: Box::new(on_update),
@@ -160,9 +157,15 @@ impl Session {
         if self.last_request.as_ref() == Some(&request) {
             return;
         }
+        let carries_on =
+            self.last_request.as_ref().is_some_and(|last| last.makes_same_film(&request));
         self.last_request = Some(request.clone());
         self.requests_made += 1;
-        self.shared.requests.post(request);
+        if carries_on {
+            self.shared.requests.post(request);
+        } else {
+            self.shared.requests.post_urgent(request);
+        }
     }
 
     /// Develops the film with these settings from now on, without retracing. Returns at once.
@@ -171,7 +174,7 @@ impl Session {
         if *display != settings {
             *display = settings;
             drop(display);
-            self.shared.develop();
+            self.shared.to_develop.post(());
         }
     }
 
@@ -199,7 +202,7 @@ impl Session {
 impl Drop for Session {
     fn drop(&mut self) {
         self.shared.requests.close();
-        self.shared.negatives.close();
+        self.shared.to_develop.close();
         for worker in self.workers.drain(..) {
             if worker.join().is_err() {
                 log::error!("a thread of the session had panicked");

@@ -58,8 +58,8 @@ pub struct Still {
 
 impl Still {
     /// Traces `request`. `progress` is told after each pass how many are done, of
-    /// `request.pass_limit`; set `cancel` to end with [`RendererError::Cancelled`] within a strip
-    /// of pixels.
+    /// `request.pass_limit`; set `cancel` to end with [`RendererError::Cancelled`] within a
+    /// pixel.
     ///
     /// # Errors
     /// An impossible scene, an empty picture, or a cancelled job.

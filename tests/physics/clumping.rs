@@ -39,15 +39,9 @@ fn exit_angle(lambda_nm: f64) -> f64 {
     let inside = (incidence.sin() / n).asin();
     let exit = (n * (apex - inside).sin()).asin();
     let deviation = incidence + exit - apex;
-    // The ray arrives at 150° (30° above −x's …) seen from +x and is bent towards the base.
-    arrival_angle() + deviation
-}
-
-/// Direction of the arriving ray as an angle from +x towards +z.
-fn arrival_angle() -> f64 {
-    let normal = 30.0_f64.to_radians();
-    let direction = normal + std::f64::consts::PI - 60.0_f64.to_radians();
-    direction
+    // It arrives against the normal of the right face, which stands at 30°, turned by the incidence.
+    let arrival = 30.0_f64.to_radians() + std::f64::consts::PI - incidence;
+    arrival + deviation
 }
 
 /// Standard deviation over mean.

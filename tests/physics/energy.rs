@@ -8,8 +8,8 @@ use brilliance_renderer::spectrum::Spectrum;
 use glam::DVec3;
 
 use crate::scenes::{
-    block, brilliant, close_camera, flat_disc, flat_sky, furnace, mean, object, render, request,
-    scene,
+    DIAMOND, block, brilliant, clear, close_camera, flat_disc, flat_sky, furnace, mean, object,
+    render, request, scene,
 };
 
 const SIZE: [u32; 2] = [72, 64];
@@ -21,8 +21,12 @@ fn settings(significance_threshold: f32, max_depth: u32) -> TraceSettings {
 #[test]
 fn a_lossless_stone_in_a_uniform_environment_is_as_bright_as_it() {
     for (threshold, depth) in [(1e-1, 4), (1e-2, 16), (1e-3, 64)] {
+        // A dark light of 1° makes the rays split without adding any radiance.
+        let mut furnace = furnace();
+        furnace.lights.discs = vec![flat_disc(glam::Vec3::Z, 0.5, 0.0)];
         let still =
-            render(&request(furnace(), close_camera(7.0), SIZE, settings(threshold, depth)), 0);
+            render(&request(furnace, close_camera(7.0), SIZE, settings(threshold, depth)), 0);
+        assert!(still.statistics.mean_segments_per_camera_ray() > 10.0);
         let ledger = still.statistics.ledger;
         let kept = 1.0 - (ledger.pruned + ledger.cut_off) / ledger.entered;
         let seen = mean(&still.film.means());
@@ -107,6 +111,48 @@ fn two_differently_coloured_bodies_multiply_their_transmittances() {
     let pixel = still.film.pixel(0, 0);
     assert!((f64::from(pixel[2]) - (-2.2_f64).exp()).abs() < 1e-4, "{pixel:?}");
     assert!((pixel[13] - 1.0).abs() < 1e-4, "{pixel:?}");
+}
+
+#[test]
+fn a_stone_inside_a_stone_keeps_both_media() {
+    // The outer filter's path goes on behind the clear core: e^(−0.2·4), not half of it.
+    let lights = Lights { environment: Some(flat_sky(1.0)), ..Lights::default() };
+    let outer = object(block(DVec3::splat(3.0)), absorbing(0.2));
+    let core = object(
+        block(DVec3::splat(1.0)),
+        clear(Dispersion::Linear { n_d: 1.000_001, dispersion_bg: 0.0 }),
+    );
+    let camera = Camera {
+        position: glam::Vec3::Z * 1000.0,
+        up: glam::Vec3::Y,
+        fov_y_radians: 0.001,
+        ..Camera::default()
+    };
+    let request =
+        request(scene(vec![outer, core], lights), camera, [2, 2], TraceSettings::default());
+    let still = render(&request, 0);
+    let pixel = still.film.pixel(0, 0);
+    assert!((f64::from(pixel[0]) - (-0.8_f64).exp()).abs() < 1e-3, "{pixel:?}");
+    assert!(still.statistics.ledger.imbalance().abs() < 1e-4);
+}
+
+#[test]
+fn absorption_prunes() {
+    let lights = Lights { environment: Some(flat_sky(1.0)), ..Lights::default() };
+    let segments = |per_mm: f32| {
+        let material = Material::Dielectric(Dielectric {
+            name: "smoke".to_owned(),
+            dispersion: DIAMOND,
+            absorption_per_mm: Some(Spectrum::Flat(per_mm)),
+        });
+        let mut stone = brilliant(DIAMOND);
+        stone.material = material;
+        let scene = scene(vec![stone], lights.clone());
+        let request = request(scene, close_camera(7.0), [24, 24], TraceSettings::default());
+        render(&request, 0).statistics.segments
+    };
+    let (clear, smoky, black) = (segments(0.0), segments(0.3), segments(10.0));
+    assert!(smoky < clear && black < smoky / 2, "{clear} {smoky} {black}");
 }
 
 #[test]

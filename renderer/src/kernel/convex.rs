@@ -1,116 +1,211 @@
-//! Rays and convex solids: all planes, eight at a time, in one loop.
+//! Rays and convex solids: all facet planes in one loop, as many at a time as the processor can.
+#![expect(
+    clippy::inline_always,
+    reason = "vector instructions are only chosen where the code is inlined into their dispatch"
+)]
 
 use glam::Vec3;
-use wide::f32x8;
+use pulp::{Arch, Simd, WithSimd};
 
+use crate::kernel::intersect::TOUCHING_MM;
 use crate::kernel::ray::{Hit, Ray};
-use crate::packed::{Instance, NONE, PLANES_PER_BLOCK, PackedScene, PlaneBlock};
+use crate::packed::{Instance, NONE, PLANE_LANES, PackedScene};
 
-/// A solid whose surface lies this little behind the start of a ray touches the one that the ray
-/// has left, in mm: rounding must not carry the ray past the surface.
-const TOUCHING_MM: f32 = 1e-4;
+/// Numbers the planes that are tested at a time.
+const LANES: [f32; PLANE_LANES] =
+    [0., 1., 2., 3., 4., 5., 6., 7., 8., 9., 10., 11., 12., 13., 14., 15.];
 
-/// Numbers the planes of a block.
-const LANES: [f32; PLANES_PER_BLOCK] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
+/// The facet number of no facet.
+const NO_FACET: f32 = -1.0;
 
 /// Where a ray inside the solid leaves it. There is always such a point: rounding can't lose it.
 ///
-/// The facet that the ray has left is excluded: a ray can't meet a plane twice.
+/// `left_facet`, the one that the ray has just left, or [`NONE`], is excluded: a ray can't meet a
+/// plane twice.
 #[inline]
-pub fn exit(scene: &PackedScene, instance: &Instance, ray: &Ray) -> Hit {
-    let origin = ray.origin.to_array().map(f32x8::splat);
-    let direction = ray.direction.to_array().map(f32x8::splat);
-    let left_facet = f32x8::splat(if ray.facet == NONE { -1.0 } else { ray.facet as f32 });
-    let mut nearest = f32x8::splat(f32::INFINITY);
-    let mut nearest_facet = f32x8::splat(-1.0);
-    let mut facet = f32x8::from(LANES);
-    for block in blocks(scene, instance) {
-        let (towards, gap) = project(block, &origin, &direction);
-        let distance = gap / towards;
-        let is_nearer =
-            towards.simd_gt(f32x8::ZERO) & distance.simd_lt(nearest) & !facet.simd_eq(left_facet);
-        nearest = is_nearer.select(distance, nearest);
-        nearest_facet = is_nearer.select(facet, nearest_facet);
-        facet += f32x8::splat(PLANES_PER_BLOCK as f32);
-    }
-    let (distance, facet) = least(nearest, nearest_facet);
-    hit(scene, instance, ray, distance.max(0.0), facet)
-}
-
-/// Where a ray from outside enters the solid.
-#[inline]
-pub fn entry(scene: &PackedScene, instance: &Instance, ray: &Ray) -> Hit {
-    let origin = ray.origin.to_array().map(f32x8::splat);
-    let direction = ray.direction.to_array().map(f32x8::splat);
-    let mut nearest_exit = f32x8::splat(f32::INFINITY);
-    let mut farthest_entry = f32x8::splat(f32::NEG_INFINITY);
-    let mut entry_facet = f32x8::splat(-1.0);
-    let mut facet = f32x8::from(LANES);
-    for block in blocks(scene, instance) {
-        let (towards, gap) = project(block, &origin, &direction);
-        let distance = gap / towards;
-        let is_farther = towards.simd_lt(f32x8::ZERO) & distance.simd_gt(farthest_entry);
-        farthest_entry = is_farther.select(distance, farthest_entry);
-        entry_facet = is_farther.select(facet, entry_facet);
-        // A plane that the ray runs along or away behind of shuts it out: its exit is at −∞.
-        let is_beyond = !towards.simd_lt(f32x8::ZERO) & gap.simd_lt(f32x8::ZERO);
-        let exit = is_beyond.select(
-            f32x8::splat(f32::NEG_INFINITY),
-            towards.simd_gt(f32x8::ZERO).select(distance, f32x8::splat(f32::INFINITY)),
-        );
-        nearest_exit = nearest_exit.fast_min(exit);
-        facet += f32x8::splat(PLANES_PER_BLOCK as f32);
-    }
-    let (negated, facet) = least(-farthest_entry, entry_facet);
-    let (exit_distance, _) = least(nearest_exit, entry_facet);
-    let distance = -negated;
-    if distance > -TOUCHING_MM && distance.max(0.0) < exit_distance {
-        hit(scene, instance, ray, distance.max(0.0), facet)
-    } else {
-        Hit::MISS
-    }
-}
-
-#[inline]
-fn blocks<'a>(scene: &'a PackedScene, instance: &Instance) -> &'a [PlaneBlock] {
-    &scene.planes[instance.first as usize..(instance.first + instance.count) as usize]
-}
-
-/// For eight planes: n·direction, and the distance from the origin to the plane along n.
-#[inline(always)]
-#[expect(clippy::inline_always, reason = "the plane loop is the tracer's innermost")]
-fn project(block: &PlaneBlock, origin: &[f32x8; 3], direction: &[f32x8; 3]) -> (f32x8, f32x8) {
-    let (nx, ny, nz) = (f32x8::from(block.nx), f32x8::from(block.ny), f32x8::from(block.nz));
-    let towards = nx * direction[0] + ny * direction[1] + nz * direction[2];
-    let height = nx * origin[0] + ny * origin[1] + nz * origin[2];
-    (towards, f32x8::from(block.distance) - height)
-}
-
-/// The least of eight values and the number that stands in its lane.
-#[inline]
-fn least(values: f32x8, numbers: f32x8) -> (f32, f32) {
-    let (values, numbers) = (values.to_array(), numbers.to_array());
-    let mut best = 0;
-    for lane in 1..PLANES_PER_BLOCK {
-        if values[lane] < values[best] {
-            best = lane;
-        }
-    }
-    (values[best], numbers[best])
-}
-
-#[inline]
-fn hit(scene: &PackedScene, instance: &Instance, ray: &Ray, distance: f32, facet: f32) -> Hit {
-    if facet < 0.0 {
+pub fn exit(scene: &PackedScene, instance: &Instance, ray: &Ray, left_facet: u32) -> Hit {
+    let planes = Planes::of(scene, instance);
+    let left_facet = if left_facet == NONE { NO_FACET } else { left_facet as f32 };
+    let crossing = Arch::new().dispatch(NearestExit { planes, ray, left_facet });
+    if crossing.facet < 0.0 {
         return Hit::MISS;
     }
-    let facet = facet as usize;
-    let block = &blocks(scene, instance)[facet / PLANES_PER_BLOCK];
-    let lane = facet % PLANES_PER_BLOCK;
-    Hit {
-        distance,
-        instance: ray.instance,
-        facet: facet as u32,
-        normal: Vec3::new(block.nx[lane], block.ny[lane], block.nz[lane]),
+    planes.hit(crossing.distance.max(0.0), crossing.facet)
+}
+
+/// Where a ray from outside enters the solid. One that starts on its surface enters there.
+#[inline]
+pub fn entry(scene: &PackedScene, instance: &Instance, ray: &Ray) -> Hit {
+    let planes = Planes::of(scene, instance);
+    let (entry, exit_distance) = Arch::new().dispatch(FarthestEntry { planes, ray });
+    let distance = entry.distance.max(0.0);
+    if entry.facet < 0.0 || entry.distance < -TOUCHING_MM || distance >= exit_distance {
+        return Hit::MISS;
+    }
+    planes.hit(distance, entry.facet)
+}
+
+/// A plane that a ray crosses.
+#[derive(Clone, Copy)]
+struct Crossing {
+    distance: f32,
+    facet: f32,
+}
+
+/// The planes of one solid, component by component.
+#[derive(Clone, Copy)]
+struct Planes<'a> {
+    normal: [&'a [f32]; 3],
+    distance: &'a [f32],
+}
+
+impl<'a> Planes<'a> {
+    #[inline]
+    fn of(scene: &'a PackedScene, instance: &Instance) -> Self {
+        let run = |i: u32| {
+            let start = (instance.first + i * instance.count) as usize;
+            &scene.planes[start..start + instance.count as usize]
+        };
+        Self { normal: [run(0), run(1), run(2)], distance: run(3) }
+    }
+
+    #[inline]
+    fn hit(&self, distance: f32, facet: f32) -> Hit {
+        let facet = facet as usize;
+        let [x, y, z] = self.normal.map(|component| component[facet]);
+        Hit { distance, instance: NONE, facet: facet as u32, normal: Vec3::new(x, y, z) }
+    }
+}
+
+/// A ray spread over the lanes.
+#[derive(Clone, Copy)]
+struct WideRay<S: Simd> {
+    origin: [S::f32s; 3],
+    direction: [S::f32s; 3],
+}
+
+impl<S: Simd> WideRay<S> {
+    #[inline(always)]
+    fn new(simd: S, ray: &Ray) -> Self {
+        Self {
+            origin: ray.origin.to_array().map(|component| simd.splat_f32s(component)),
+            direction: ray.direction.to_array().map(|component| simd.splat_f32s(component)),
+        }
+    }
+
+    /// n·direction, and the distance from the origin to the plane along n.
+    #[inline(always)]
+    fn project(&self, simd: S, normal: [S::f32s; 3], distance: S::f32s) -> (S::f32s, S::f32s) {
+        let towards = dot(simd, normal, self.direction);
+        (towards, simd.sub_f32s(distance, dot(simd, normal, self.origin)))
+    }
+}
+
+#[inline(always)]
+fn dot<S: Simd>(simd: S, a: [S::f32s; 3], b: [S::f32s; 3]) -> S::f32s {
+    let yz = simd.mul_add_e_f32s(a[1], b[1], simd.mul_f32s(a[2], b[2]));
+    simd.mul_add_e_f32s(a[0], b[0], yz)
+}
+
+/// Calls `visit` with the normals, distances and numbers of the planes, a vector of them at a time.
+#[inline(always)]
+fn for_each_vector<S: Simd>(
+    simd: S,
+    planes: &Planes<'_>,
+    mut visit: impl FnMut([S::f32s; 3], S::f32s, S::f32s),
+) {
+    let [nx, ny, nz] = planes.normal.map(|component| S::as_simd_f32s(component).0);
+    let distances = S::as_simd_f32s(planes.distance).0;
+    let mut facets = S::as_simd_f32s(&LANES).0[0];
+    let step = simd.splat_f32s(S::F32_LANES as f32);
+    for (((&nx, &ny), &nz), &distance) in nx.iter().zip(ny).zip(nz).zip(distances) {
+        visit([nx, ny, nz], distance, facets);
+        facets = simd.add_f32s(facets, step);
+    }
+}
+
+/// The lane with the least value: that value, and what stands in the lane of `facets`.
+#[inline(always)]
+fn least<S: Simd>(simd: S, distances: S::f32s, facets: S::f32s) -> Crossing {
+    let distance = simd.reduce_min_f32s(distances);
+    let is_least = simd.equal_f32s(distances, simd.splat_f32s(distance));
+    let infinity = simd.splat_f32s(f32::INFINITY);
+    let facet = simd.reduce_min_f32s(simd.select_f32s(is_least, facets, infinity));
+    Crossing { distance, facet: if distance < f32::INFINITY { facet } else { NO_FACET } }
+}
+
+struct NearestExit<'a> {
+    planes: Planes<'a>,
+    ray: &'a Ray,
+    left_facet: f32,
+}
+
+impl WithSimd for NearestExit<'_> {
+    type Output = Crossing;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> Crossing {
+        let ray = WideRay::new(simd, self.ray);
+        let left_facet = simd.splat_f32s(self.left_facet);
+        let zero = simd.splat_f32s(0.0);
+        let infinity = simd.splat_f32s(f32::INFINITY);
+        let mut nearest = infinity;
+        let mut nearest_facets = infinity;
+        for_each_vector(simd, &self.planes, |normal, distance, facets| {
+            let (towards, gap) = ray.project(simd, normal, distance);
+            let is_left = simd.equal_f32s(facets, left_facet);
+            let towards = simd.select_f32s(is_left, zero, towards);
+            let crossing = simd.select_f32s(
+                simd.greater_than_f32s(towards, zero),
+                simd.div_f32s(gap, towards),
+                infinity,
+            );
+            let is_nearer = simd.less_than_f32s(crossing, nearest);
+            nearest = simd.select_f32s(is_nearer, crossing, nearest);
+            nearest_facets = simd.select_f32s(is_nearer, facets, nearest_facets);
+        });
+        least(simd, nearest, nearest_facets)
+    }
+}
+
+struct FarthestEntry<'a> {
+    planes: Planes<'a>,
+    ray: &'a Ray,
+}
+
+impl WithSimd for FarthestEntry<'_> {
+    /// The last plane that the ray crosses inwards, and the distance of the first outwards.
+    type Output = (Crossing, f32);
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> (Crossing, f32) {
+        let ray = WideRay::new(simd, self.ray);
+        let zero = simd.splat_f32s(0.0);
+        let infinity = simd.splat_f32s(f32::INFINITY);
+        let minus_infinity = simd.splat_f32s(f32::NEG_INFINITY);
+        // Entry distances are negated, so that the farthest is the least.
+        let mut farthest = infinity;
+        let mut farthest_facets = infinity;
+        let mut nearest_exit = infinity;
+        for_each_vector(simd, &self.planes, |normal, distance, facets| {
+            let (towards, gap) = ray.project(simd, normal, distance);
+            let crossing = simd.div_f32s(gap, towards);
+            let enters = simd.less_than_f32s(towards, zero);
+            let entry = simd.select_f32s(enters, simd.neg_f32s(crossing), infinity);
+            let is_farther = simd.less_than_f32s(entry, farthest);
+            farthest = simd.select_f32s(is_farther, entry, farthest);
+            farthest_facets = simd.select_f32s(is_farther, facets, farthest_facets);
+            // A plane that the ray has behind it, or runs along outside of, shuts it out: such an
+            // exit is at −∞.
+            let leaves = simd.greater_than_f32s(towards, zero);
+            let is_beyond = simd.less_than_f32s(gap, zero);
+            let parallel = simd.select_f32s(is_beyond, minus_infinity, infinity);
+            let outward = simd.select_f32s(leaves, crossing, parallel);
+            let exit = simd.select_f32s(enters, infinity, outward);
+            nearest_exit = simd.min_f32s(nearest_exit, exit);
+        });
+        let entry = least(simd, farthest, farthest_facets);
+        let entry = Crossing { distance: -entry.distance, ..entry };
+        (entry, simd.reduce_min_f32s(nearest_exit))
     }
 }

@@ -44,37 +44,27 @@ pub fn mean_transmittance(scene: &PackedScene, ray: &Ray) -> f32 {
     if width > 0.0 { sum / width } else { 1.0 }
 }
 
-/// Adds radiance of row `radiance`, scaled by `scale`, evenly over the ray's interval.
+/// An upper bound of the path's transmittance, for the price of one exponential.
 #[inline]
-pub fn deposit(walk: &mut Walk<'_>, ray: &Ray, radiance: u32, scale: f32) {
+pub fn transmittance_bound(scene: &PackedScene, ray: &Ray) -> f32 {
+    if ray.absorber == NONE {
+        return 1.0;
+    }
+    (-scene.materials[ray.absorber as usize].least_absorption * ray.path_mm).exp()
+}
+
+/// Adds radiance of row `radiance`, reflected by row `reflectance` unless that is [`NONE`], scaled
+/// by `scale`, evenly over the ray's interval.
+#[inline]
+pub fn deposit(walk: &mut Walk<'_>, ray: &Ray, radiance: u32, reflectance: u32, scale: f32) {
     let scene = walk.scene;
     let values = scene.spectrum(radiance);
     let weight = ray.significance * scale;
     for_each_bin(scene, ray.lambda_low_nm, ray.lambda_high_nm, |bin, overlap| {
         let mut value = weight * overlap * values[bin];
-        if ray.absorber != NONE {
-            value *= transmittance(scene, ray, bin);
+        if reflectance != NONE {
+            value *= scene.spectrum(reflectance)[bin];
         }
-        walk.pixel[bin] += value;
-    });
-}
-
-/// Adds radiance of row `radiance` reflected by row `reflectance`, scaled by `scale`, evenly over
-/// the ray's interval.
-#[inline]
-pub fn deposit_reflected(
-    walk: &mut Walk<'_>,
-    ray: &Ray,
-    radiance: u32,
-    reflectance: u32,
-    scale: f32,
-) {
-    let scene = walk.scene;
-    let values = scene.spectrum(radiance);
-    let albedo = scene.spectrum(reflectance);
-    let weight = ray.significance * scale;
-    for_each_bin(scene, ray.lambda_low_nm, ray.lambda_high_nm, |bin, overlap| {
-        let mut value = weight * overlap * values[bin] * albedo[bin];
         if ray.absorber != NONE {
             value *= transmittance(scene, ray, bin);
         }

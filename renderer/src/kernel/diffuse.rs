@@ -4,7 +4,7 @@ use std::f32::consts::{FRAC_1_PI, TAU};
 
 use glam::Vec3;
 
-use crate::kernel::deposit::deposit_reflected;
+use crate::kernel::deposit::deposit;
 use crate::kernel::intersect::is_occluded;
 use crate::kernel::ray::{GROUND, Hit, Ray};
 use crate::kernel::rng;
@@ -20,29 +20,29 @@ pub fn shade_diffuse(walk: &mut Walk<'_>, ray: &Ray, hit: &Hit) {
     let scene = walk.scene;
     let reflectance = reflectance_at(walk, ray, hit);
     let normal = if ray.direction.dot(hit.normal) > 0.0 { -hit.normal } else { hit.normal };
-    for (i, disc) in scene.discs.iter().enumerate() {
-        let sample = rng::sample_2d(walk.next_seed(), walk.pass.index);
+    for disc in &scene.discs {
+        let sample = rng::light_sample(walk.next_seed(), walk.pass.index);
         let direction = direction_on_disc(disc, sample);
         let cos = direction.dot(normal);
         if cos > 0.0 && !is_shadowed(walk, ray, hit, direction) {
             let scale = FRAC_1_PI * disc.solid_angle * cos;
-            deposit_reflected(walk, ray, scene.discs[i].spectrum, reflectance, scale);
+            deposit(walk, ray, disc.spectrum, reflectance, scale);
         }
     }
     let sky = &scene.sky;
     if sky.hemisphere == NONE && sky.environment == NONE {
         return;
     }
-    let sample = rng::sample_2d(walk.next_seed(), walk.pass.index);
+    let sample = rng::light_sample(walk.next_seed(), walk.pass.index);
     let direction = direction_by_cosine(normal, sample);
     if is_shadowed(walk, ray, hit, direction) {
         return;
     }
     if sky.environment != NONE {
-        deposit_reflected(walk, ray, sky.environment, reflectance, 1.0);
+        deposit(walk, ray, sky.environment, reflectance, 1.0);
     }
     if sky.hemisphere != NONE && direction.z > 0.0 {
-        deposit_reflected(walk, ray, sky.hemisphere, reflectance, 1.0);
+        deposit(walk, ray, sky.hemisphere, reflectance, 1.0);
     }
 }
 

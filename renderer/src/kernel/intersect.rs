@@ -1,25 +1,38 @@
 //! The nearest surface along a ray, over all bodies and the ground.
 
+use crate::accel::MAX_DEPTH;
 use crate::kernel::convex;
 use crate::kernel::mesh::{self, BoxRay, Sides};
 use crate::kernel::ray::{GROUND, Hit, Ray};
 use crate::packed::{CONVEX, Instance, NONE, PackedScene};
 
-/// Depth of the explicit stack of top-level nodes.
-const TOP_STACK: usize = 64;
+/// Top-level nodes that can wait at once: one per level, and the one to look at.
+const TOP_STACK: usize = MAX_DEPTH + 1;
 
 /// How far, as a part of the way to the middle of the body, a lost ray is moved inwards.
 const NUDGE: f32 = 1e-5;
 
+/// A surface this close to another, in mm, touches it: rounding must not decide which is met.
+pub const TOUCHING_MM: f32 = 1e-4;
+
 /// The nearest surface along `ray`; [`Hit::MISS`] where there is none.
+///
+/// A ray inside a body meets that body's own surface before any that touches it.
 #[inline]
 pub fn find_intersection(scene: &PackedScene, ray: &Ray) -> Hit {
-    if ray.inside == 1 && scene.instances[ray.instance as usize].interior_is_clear == 1 {
-        return meet_instance(scene, ray, ray.instance, f32::INFINITY);
+    let mut own = Hit::MISS;
+    if ray.medium != NONE {
+        own = meet_instance(scene, ray, ray.medium, f32::INFINITY);
+        if scene.instances[ray.medium as usize].interior_is_clear == 1 {
+            return own;
+        }
     }
     let ground = meet_ground(scene, ray);
-    let bodies = meet_bodies(scene, ray, ground.distance, false);
-    if bodies.instance == NONE { ground } else { bodies }
+    let nearest = if ground.distance < own.distance - TOUCHING_MM { ground } else { own };
+    let limit =
+        if nearest.instance == GROUND { ground.distance } else { own.distance - TOUCHING_MM };
+    let other = meet_bodies(scene, ray, limit, false);
+    if other.instance == NONE { nearest } else { other }
 }
 
 /// Whether anything stands in the way of `ray`.
@@ -32,9 +45,9 @@ pub fn is_occluded(scene: &PackedScene, ray: &Ray) -> bool {
 /// A ray that a mesh seems not to let out, tried again from slightly further inside.
 #[inline]
 pub fn find_lost_exit(scene: &PackedScene, ray: &Ray) -> Hit {
-    let center = scene.instances[ray.instance as usize].center;
+    let center = scene.instances[ray.medium as usize].center;
     let nudged = Ray { origin: ray.origin + (center - ray.origin) * NUDGE, facet: NONE, ..*ray };
-    meet_instance(scene, &nudged, ray.instance, f32::INFINITY)
+    meet_instance(scene, &nudged, ray.medium, f32::INFINITY)
 }
 
 /// The nearest body, or with `any` the first that is found.
@@ -54,11 +67,9 @@ fn meet_bodies(scene: &PackedScene, ray: &Ray, limit: f32, any: bool) -> Hit {
             continue;
         }
         if node.primitive_count == 0 {
-            if count + 2 <= TOP_STACK {
-                stack[count] = node.first + 1;
-                stack[count + 1] = node.first;
-                count += 2;
-            }
+            stack[count] = node.first + 1;
+            stack[count + 1] = node.first;
+            count += 2;
             continue;
         }
         for slot in node.first..node.first + node.primitive_count {
@@ -79,10 +90,15 @@ fn meet_bodies(scene: &PackedScene, ray: &Ray, limit: f32, any: bool) -> Hit {
 fn meet_instance(scene: &PackedScene, ray: &Ray, index: u32, limit: f32) -> Hit {
     let instance = &scene.instances[index as usize];
     let has_left_it = ray.instance == index;
-    let is_inside = has_left_it && ray.inside == 1;
+    let is_inside = ray.medium == index;
+    if ray.enclosing == index && !is_inside {
+        // The ray is in a body inside this one, and must leave that first.
+        return Hit::MISS;
+    }
+    let left_facet = if has_left_it { ray.facet } else { NONE };
     let mut hit = if instance.kind == CONVEX {
         if is_inside {
-            convex::exit(scene, instance, ray)
+            convex::exit(scene, instance, ray, left_facet)
         } else if has_left_it {
             // What leaves a convex solid does not come back.
             Hit::MISS
@@ -90,7 +106,6 @@ fn meet_instance(scene: &PackedScene, ray: &Ray, index: u32, limit: f32) -> Hit 
             convex::entry(scene, instance, ray)
         }
     } else {
-        let left_facet = if has_left_it { ray.facet } else { NONE };
         mesh::nearest(scene, instance, ray, left_facet, sides(scene, instance, is_inside), limit)
     };
     if hit.facet != NONE {
@@ -115,9 +130,12 @@ fn meet_ground(scene: &PackedScene, ray: &Ray) -> Hit {
     if scene.ground.reflectance[0] == NONE || ray.instance == GROUND {
         return Hit::MISS;
     }
-    let distance = (scene.ground.height - ray.origin.z) / ray.direction.z;
-    if distance > 0.0 && distance.is_finite() {
-        Hit { distance, instance: GROUND, facet: 0, normal: glam::Vec3::Z }
+    let height = scene.ground.height - ray.origin.z;
+    let distance = height / ray.direction.z;
+    // What leaves a body that rests on the ground starts on it, or a rounding error below.
+    let is_touching = ray.direction.z < 0.0 && height.abs() < TOUCHING_MM;
+    if is_touching || (distance > 0.0 && distance.is_finite()) {
+        Hit { distance: distance.max(0.0), instance: GROUND, facet: 0, normal: glam::Vec3::Z }
     } else {
         Hit::MISS
     }

@@ -21,32 +21,38 @@ pub struct Cone {
 /// The part of the ray's fan, in 0..=1, that lies within the cone (the paper's `overlap_amount`).
 ///
 /// The fan is the directions `direction + u·spread`, u in −1..=1. It is inside where
-/// |(direction + u·spread) × center|² ≤ sin²·|direction + u·spread|², a quadratic in u.
+/// |(direction + u·spread) × center|² ≤ sin²·|direction + u·spread|², a quadratic in u, and on the
+/// side of the center.
 #[inline]
 pub fn overlap_amount(ray: &Ray, cone: &Cone) -> f32 {
     let along = ray.direction.dot(cone.center);
     let spread_squared = ray.spread.length_squared();
     // The cosine changes at most as fast as the direction itself.
-    if along <= 0.0 || along + spread_squared.sqrt() < cone.cos_radius {
+    if along + spread_squared.sqrt() < cone.cos_radius {
         return 0.0;
     }
     let off_center = ray.direction.cross(cone.center);
     let c = off_center.length_squared() - cone.sin_squared_radius;
     if spread_squared < 1e-14 {
-        return f32::from(u8::from(c <= 0.0));
+        return f32::from(u8::from(c <= 0.0 && along >= 0.0));
     }
     let sideways = ray.spread.cross(cone.center);
     let a = sideways.length_squared() - cone.sin_squared_radius * spread_squared;
     let b = off_center.dot(sideways) - cone.sin_squared_radius * ray.direction.dot(ray.spread);
-    let discriminant = b * b - a * c;
-    if a <= 0.0 || discriminant <= 0.0 {
-        // The fan's great circle does not cross the cone's edge on this side.
-        return f32::from(u8::from(c <= 0.0));
+    let drift = ray.spread.dot(cone.center);
+    let is_inside = |u: f32| a * u * u + 2.0 * b * u + c <= 0.0 && along + u * drift >= 0.0;
+    // The fan is cut where it crosses the edge; each part is inside or outside as its middle is.
+    let q = -(b + (b * b - a * c).max(0.0).sqrt().copysign(b));
+    let cut = |u: f32| if u.is_nan() { 1.0 } else { u.clamp(-1.0, 1.0) };
+    let (first, second) = (cut(q / a), cut(c / q));
+    let cuts = [-1.0, first.min(second), first.max(second), 1.0];
+    let mut inside = 0.0;
+    for i in 0..3 {
+        if is_inside(0.5 * (cuts[i] + cuts[i + 1])) {
+            inside += cuts[i + 1] - cuts[i];
+        }
     }
-    let root = discriminant.sqrt();
-    let low = ((-b - root) / a).max(-1.0);
-    let high = ((-b + root) / a).min(1.0);
-    (0.5 * (high - low)).clamp(0.0, 1.0)
+    0.5 * inside
 }
 
 /// The part of the ray's fan, in 0..=1, that points into the upper half space.
@@ -76,13 +82,13 @@ pub fn ray_light(walk: &mut Walk<'_>, ray: &Ray) {
     let scene = walk.scene;
     let sky = &scene.sky;
     if ray.depth == 0 && sky.backdrop != NONE {
-        deposit(walk, ray, sky.backdrop, 1.0);
+        deposit(walk, ray, sky.backdrop, NONE, 1.0);
         return;
     }
     for disc in &scene.discs {
         let amount = overlap_amount(ray, &disc_cone(disc));
         if amount > 0.0 {
-            deposit(walk, ray, disc.spectrum, amount);
+            deposit(walk, ray, disc.spectrum, NONE, amount);
         }
     }
     let mut visible = 1.0;
@@ -95,12 +101,12 @@ pub fn ray_light(walk: &mut Walk<'_>, ray: &Ray) {
         visible -= overlap_amount(ray, &head);
     }
     if sky.environment != NONE && visible > 0.0 {
-        deposit(walk, ray, sky.environment, visible);
+        deposit(walk, ray, sky.environment, NONE, visible);
     }
     if sky.hemisphere != NONE && visible > 0.0 {
         let amount = overlap_hemisphere(ray);
         if amount > 0.0 {
-            deposit(walk, ray, sky.hemisphere, visible * amount);
+            deposit(walk, ray, sky.hemisphere, NONE, visible * amount);
         }
     }
 }

@@ -2,11 +2,12 @@
 
 use glam::Vec3;
 
+use crate::accel::MAX_DEPTH;
 use crate::kernel::ray::{Hit, Ray};
 use crate::packed::{BvhNode, Instance, NONE, PackedScene, PackedTriangle};
 
-/// Depth of the explicit stack of nodes; obvhs builds trees of depth below 96.
-pub const NODE_STACK: usize = 96;
+/// Nodes that can wait at once: one per level.
+const NODE_STACK: usize = MAX_DEPTH;
 
 /// Enlarges the far end of a slab so that rounding can't skip a box (Ize 2013).
 const SLAB_ROUNDING: f32 = 1.000_000_4;
@@ -151,7 +152,7 @@ pub fn nearest(
                 (near_entry, far_entry) = (far_entry, near_entry);
             }
             if near_entry < f32::INFINITY {
-                if far_entry < f32::INFINITY && count < NODE_STACK {
+                if far_entry < f32::INFINITY {
                     stack[count] = far;
                     count += 1;
                 }

@@ -1,8 +1,8 @@
 //! The tracing kernel: Thomas 1986 as small pure functions.
 //!
-//! Nothing here allocates, recurses or panics, and nothing uses what a shader lacks: f32, u32,
-//! `Vec3`, slices that stand for storage buffers, one explicit stack. Each file is the twin of
-//! a shader module to be.
+//! Nothing here allocates or recurses, and but for the vectors of the plane loop nothing uses what a
+//! shader lacks: f32, u32, `Vec3`, slices that stand for storage buffers, explicit stacks of fixed
+//! size. Each file is the twin of a shader module to be.
 //!
 //! The flow of one camera ray:
 //! [`camera`] → [`trace`] ⟲ ([`intersect`] → [`fork`] or [`diffuse`] or [`lights`] → [`deposit`]).

@@ -27,8 +27,10 @@ pub struct Ray {
     pub instance: u32,
     /// The facet of `instance` that the ray has left.
     pub facet: u32,
-    /// 1 where the ray runs inside `instance`.
-    pub inside: u32,
+    /// The body that the ray runs in, or [`NONE`] for air.
+    pub medium: u32,
+    /// The body that `medium` lies in, or [`NONE`]; deeper nesting is not kept.
+    pub enclosing: u32,
     /// Interfaces met so far.
     pub depth: u32,
     /// The absorbing material that `path_mm` was run through, or [`NONE`].
@@ -50,7 +52,8 @@ impl Ray {
             significance: 1.0,
             instance: NONE,
             facet: NONE,
-            inside: 0,
+            medium: NONE,
+            enclosing: NONE,
             depth: 0,
             absorber: NONE,
             path_mm: 0.0,

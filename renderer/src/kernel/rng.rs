@@ -14,12 +14,29 @@ pub fn unit_float(word: u32) -> f32 {
     (word >> 8) as f32 * (1.0 / 16_777_216.0)
 }
 
-/// Term `pass` of the R2 sequence (Roberts 2018), shifted by the random word `seed`: two numbers
-/// in 0..1 that fill the unit square evenly as the passes go by.
+/// The four-dimensional sequence of Roberts 2018 in fixed point: 2³² over the powers of the root of
+/// x⁵ = x + 1. Two dimensions place the camera ray in its pixel, the other two choose points on
+/// lights; were they the same two, a pixel's edge and a light's shadow would move as one.
+const PIXEL_STEPS: [u32; 2] = [3_679_390_609, 3_152_041_523];
+const LIGHT_STEPS: [u32; 2] = [2_700_274_807, 2_313_257_605];
+
+/// Two numbers in 0..1 that fill the pixel evenly as the passes go by, shifted by the random word
+/// `seed`.
 #[inline]
-pub fn sample_2d(seed: u32, pass: u32) -> [f32; 2] {
-    // 2³² divided by the plastic number and by its square: the sequence in fixed point wraps by itself.
-    let x = hash(seed).wrapping_add(pass.wrapping_mul(3_242_174_889));
-    let y = hash(seed ^ 0x9e37_79b9).wrapping_add(pass.wrapping_mul(2_447_445_414));
+pub fn pixel_sample(seed: u32, pass: u32) -> [f32; 2] {
+    sample(PIXEL_STEPS, seed, pass)
+}
+
+/// Two numbers in 0..1 that fill a light evenly as the passes go by, shifted by the random word
+/// `seed`.
+#[inline]
+pub fn light_sample(seed: u32, pass: u32) -> [f32; 2] {
+    sample(LIGHT_STEPS, seed, pass)
+}
+
+#[inline]
+fn sample(steps: [u32; 2], seed: u32, pass: u32) -> [f32; 2] {
+    let x = hash(seed).wrapping_add(pass.wrapping_mul(steps[0]));
+    let y = hash(seed ^ 0x9e37_79b9).wrapping_add(pass.wrapping_mul(steps[1]));
     [unit_float(x), unit_float(y)]
 }

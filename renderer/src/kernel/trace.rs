@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use crate::kernel::deposit::mean_transmittance;
+use crate::kernel::deposit::{mean_transmittance, transmittance_bound};
 use crate::kernel::diffuse::shade_diffuse;
 use crate::kernel::fork::fork_rays;
 use crate::kernel::intersect::{find_intersection, find_lost_exit};
@@ -11,8 +11,8 @@ use crate::kernel::ray::{GROUND, Hit, Ray};
 use crate::kernel::rng;
 use crate::packed::{NONE, PackedScene};
 
-/// Rays that can wait at once. The order of the walk keeps the number near
-/// 2·(depth + sub-rays of one interface); what would not fit is counted as cut off.
+/// Rays that can wait at once. What leaves a convex stone ends at once, so that only the splits of
+/// the path being followed wait; what would not fit is counted as cut off.
 pub const STACK_LEN: usize = 256;
 
 /// What stays the same over one pass.
@@ -94,7 +94,8 @@ impl Walk<'_> {
     /// Puts a ray on the stack, or into the books where it is too weak, too deep or too much.
     #[inline]
     pub fn send(&mut self, ray: &Ray) {
-        if ray.significance < self.pass.significance_threshold {
+        let significance = ray.significance * transmittance_bound(self.scene, ray);
+        if significance < self.pass.significance_threshold {
             self.tally.pruned += self.retire(ray);
         } else if ray.depth > self.pass.max_depth || self.stack.count == STACK_LEN {
             self.tally.cut_off += self.retire(ray);
@@ -141,12 +142,12 @@ pub fn trace(
 #[inline]
 fn follow(walk: &mut Walk<'_>, mut ray: Ray) {
     let mut hit = find_intersection(walk.scene, &ray);
-    if hit.instance == NONE && ray.inside == 1 {
+    if hit.instance == NONE && ray.medium != NONE {
         hit = find_lost_exit(walk.scene, &ray);
-    }
-    if hit.instance == NONE && ray.inside == 1 {
-        walk.tally.lost += walk.retire(&ray);
-        return;
+        if hit.instance == NONE {
+            walk.tally.lost += walk.retire(&ray);
+            return;
+        }
     }
     if hit.instance == NONE {
         ray_light(walk, &ray);
@@ -154,11 +155,8 @@ fn follow(walk: &mut Walk<'_>, mut ray: Ray) {
         return;
     }
     ray.origin += ray.direction * hit.distance;
-    if ray.inside == 1 && ray.absorber != NONE {
-        let inside_material = walk.scene.instances[ray.instance as usize].material;
-        if ray.absorber == inside_material {
-            ray.path_mm += hit.distance;
-        }
+    if runs_in_absorber(walk.scene, &ray) {
+        ray.path_mm += hit.distance;
     }
     if is_opaque(walk.scene, &hit) {
         shade_diffuse(walk, &ray, &hit);
@@ -166,6 +164,14 @@ fn follow(walk: &mut Walk<'_>, mut ray: Ray) {
     } else {
         fork_rays(walk, &ray, &hit);
     }
+}
+
+/// Whether the ray's medium is the material whose path it counts.
+#[inline]
+fn runs_in_absorber(scene: &PackedScene, ray: &Ray) -> bool {
+    ray.absorber != NONE
+        && ray.medium != NONE
+        && scene.instances[ray.medium as usize].material == ray.absorber
 }
 
 #[inline]

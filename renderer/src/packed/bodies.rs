@@ -3,11 +3,12 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use glam::{DVec3, Mat3, Vec3, Vec4};
+use glam::{DVec3, Mat3, Vec4};
 
-use super::{BvhNode, CONVEX, Instance, MESH, PLANES_PER_BLOCK, PackedTriangle, PlaneBlock};
-use crate::accel::{Bounds, build_hierarchy};
+use super::{BvhNode, CONVEX, Instance, MESH, PLANE_LANES, PackedTriangle};
+use crate::accel::{Bounds, Hierarchy, MAX_DEPTH};
 use crate::error::RendererError;
+use crate::material::Material;
 use crate::mesh::Mesh;
 use crate::scene::{Object, Scene, Shape, Transform};
 use crate::solid::{HalfSpace, Solid};
@@ -17,7 +18,7 @@ pub(super) struct PackedBodies {
     pub(super) instances: Vec<Instance>,
     pub(super) top_nodes: Vec<BvhNode>,
     pub(super) top_order: Vec<u32>,
-    pub(super) planes: Vec<PlaneBlock>,
+    pub(super) planes: Vec<f32>,
     pub(super) nodes: Vec<BvhNode>,
     pub(super) triangles: Vec<PackedTriangle>,
 }
@@ -31,6 +32,7 @@ pub(super) fn pack(scene: &Scene, materials: &[u32]) -> Result<PackedBodies, Ren
         check_transform(object)?;
         let half_spaces = match &object.shape {
             Shape::Mesh(source) => {
+                check_mesh(object, &source.mesh)?;
                 let root = *mesh_roots
                     .entry(Arc::as_ptr(&source.mesh))
                     .or_insert_with(|| bodies.push_mesh(&source.mesh));
@@ -46,7 +48,9 @@ pub(super) fn pack(scene: &Scene, materials: &[u32]) -> Result<PackedBodies, Ren
         bounds.push(bodies.push_convex(&solid, object, material));
     }
     bodies.mark_clear_interiors(&bounds, scene.ground.as_ref().map(|ground| ground.height));
-    (bodies.top_nodes, bodies.top_order) = build_hierarchy(&bounds);
+    let top = Hierarchy::new(&bounds);
+    check_depth("the scene", top.depth)?;
+    (bodies.top_nodes, bodies.top_order) = (top.nodes, top.order);
     Ok(bodies)
 }
 
@@ -61,12 +65,37 @@ fn check_transform(object: &Object) -> Result<(), RendererError> {
     )))
 }
 
+/// A refracting mesh must enclose a volume.
+fn check_mesh(object: &Object, mesh: &Mesh) -> Result<(), RendererError> {
+    if let (Material::Dielectric(_), Err(fault)) = (&object.material, mesh.closed()) {
+        return Err(RendererError::Invalid(format!("{}: {fault}", object.name)));
+    }
+    check_depth(&object.name, mesh.hierarchy().depth)
+}
+
+/// A deeper hierarchy would overflow the tracers' stacks.
+fn check_depth(what: &str, depth: usize) -> Result<(), RendererError> {
+    if depth <= MAX_DEPTH {
+        return Ok(());
+    }
+    Err(RendererError::Invalid(format!(
+        "{what}: its parts are so unevenly placed that {depth} levels of boxes are needed, and \
+         {MAX_DEPTH} are allowed; split it into several objects"
+    )))
+}
+
 impl PackedBodies {
     fn push_convex(&mut self, solid: &Solid, object: &Object, material: u32) -> Bounds {
         let first = self.planes.len() as u32;
-        let planes: Vec<_> =
-            solid.facets.iter().map(|facet| world_plane(&facet.half_space, object)).collect();
-        self.planes.extend(planes.chunks(PLANES_PER_BLOCK).map(plane_block));
+        let count = solid.facets.len().next_multiple_of(PLANE_LANES);
+        let mut planes = vec![0.0; 4 * count];
+        for (i, facet) in solid.facets.iter().enumerate() {
+            let (normal, distance) = world_plane(&facet.half_space, object);
+            for (component, value) in normal.to_array().into_iter().chain([distance]).enumerate() {
+                planes[component * count + i] = value as f32;
+            }
+        }
+        self.planes.extend_from_slice(&planes);
         let bounds = Bounds::of(
             solid.vertices.iter().map(|vertex| object.transform.point(vertex.as_vec3())),
         );
@@ -74,7 +103,7 @@ impl PackedBodies {
             object_from_world: [Vec4::ZERO; 3],
             kind: CONVEX,
             first,
-            count: self.planes.len() as u32 - first,
+            count: count as u32,
             material,
             center: bounds.center(),
             interior_is_clear: 0,
@@ -135,21 +164,4 @@ fn world_plane(half_space: &HalfSpace, object: &Object) -> (DVec3, f64) {
     let Transform { translation, rotation, scale } = object.transform;
     let normal = rotation.as_dquat() * half_space.normal;
     (normal, half_space.distance * f64::from(scale) + normal.dot(translation.as_dvec3()))
-}
-
-fn plane_block(planes: &[(DVec3, f64)]) -> PlaneBlock {
-    let mut block = PlaneBlock {
-        nx: [0.0; PLANES_PER_BLOCK],
-        ny: [0.0; PLANES_PER_BLOCK],
-        nz: [0.0; PLANES_PER_BLOCK],
-        distance: [0.0; PLANES_PER_BLOCK],
-    };
-    for (lane, (normal, distance)) in planes.iter().enumerate() {
-        let Vec3 { x, y, z } = normal.as_vec3();
-        block.nx[lane] = x;
-        block.ny[lane] = y;
-        block.nz[lane] = z;
-        block.distance[lane] = *distance as f32;
-    }
-    block
 }

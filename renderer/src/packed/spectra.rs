@@ -39,6 +39,15 @@ impl SpectrumRows {
         Ok(row as u32)
     }
 
+    /// The values of a row; none for [`NONE`].
+    fn row(&self, row: u32) -> &[f32] {
+        if row == NONE {
+            return &[];
+        }
+        let start = row as usize * self.bins.count();
+        &self.values[start..start + self.bins.count()]
+    }
+
     fn push_sky(&mut self, what: &str, sky: Option<&SkyLight>) -> Result<u32, RendererError> {
         sky.map_or(Ok(NONE), |light| self.push(what, &light.spectrum, light.radiance))
     }
@@ -73,7 +82,7 @@ pub(super) fn pack_materials(
                 index_table: NONE,
                 absorption: NONE,
                 reflectance: spectra.push(&object.name, &diffuse.reflectance, 1.0)?,
-                padding: 0,
+                least_absorption: 0.0,
             },
         });
     }
@@ -98,7 +107,13 @@ fn pack_dielectric(
         Some(absorption) => spectra.push(&format!("absorption of {object}"), absorption, 1.0)?,
         None => NONE,
     };
-    Ok(PackedMaterial { index_table, absorption, reflectance: NONE, padding: 0 })
+    let least_absorption = spectra.row(absorption).iter().copied().fold(f32::INFINITY, f32::min);
+    Ok(PackedMaterial {
+        index_table,
+        absorption,
+        reflectance: NONE,
+        least_absorption: if absorption == NONE { 0.0 } else { least_absorption },
+    })
 }
 
 pub(super) fn pack_discs(

@@ -57,7 +57,7 @@ impl Default for StillSettings {
 }
 
 impl Default for Document {
-    /// What the program starts with: a round brilliant diamond under nine spots, with the paper's
+    /// What the program starts with: a round brilliant diamond in the showroom, with the paper's
     /// straight line for its index.
     fn default() -> Self {
         let diamond = Object {
@@ -74,7 +74,7 @@ impl Default for Document {
             scene: Scene {
                 objects: vec![diamond],
                 ground: None,
-                lights: rigs::nine_spots(),
+                lights: rigs::start(),
                 camera: Camera::default(),
             },
             trace: TraceSettings::default(),

@@ -4,14 +4,18 @@ use std::sync::Arc;
 
 use super::{Picture, Shared, lock};
 
-/// Develops every negative that is posted until the session closes.
+/// Develops the newest image by the newest settings whenever either changes, until the session
+/// closes.
 pub(super) fn run(shared: &Shared) {
     let mut serial = 0;
-    while let Some(negative) = shared.negatives.wait() {
+    while shared.to_develop.wait().is_some() {
+        // Read here and not by who posted: what is read last is newest.
+        let image = lock(&shared.image).clone();
+        let display = lock(&shared.display).clone();
+        let Some(image) = image else { continue };
         serial += 1;
-        let rgba8 = negative.image.develop_rgba8(&negative.display);
-        let picture = Picture { size: negative.image.size, rgba8, serial };
-        *lock(&shared.picture) = Some(Arc::new(picture));
+        let rgba8 = image.develop_rgba8(&display);
+        *lock(&shared.picture) = Some(Arc::new(Picture { size: image.size, rgba8, serial }));
         (shared.on_update)();
     }
 }

@@ -1,5 +1,6 @@
 //! The render thread: serves the newest request, pass by pass.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -8,7 +9,8 @@ use crate::develop::XyzImage;
 use crate::error::RendererError;
 use crate::film::Film;
 use crate::packed::PackedScene;
-use crate::scheduler::{Scheduler, Work};
+use crate::scheduler::{Effort, Scheduler, Work};
+use crate::settings::TraceSettings;
 use crate::spectrum::Bins;
 use crate::statistics::Statistics;
 use crate::tracer::{CpuTracer, View};
@@ -16,104 +18,127 @@ use crate::tracer::{CpuTracer, View};
 /// Least time between two published states of an accumulating film.
 const PUBLISH_INTERVAL: Duration = Duration::from_millis(33);
 
+/// What the user reads where the tracer has panicked.
+const PANICKED: &str = "the tracer failed on this scene, which is a fault of the program; \
+    change a setting to try again, and please report it with the scene file";
+
 /// Serves requests until the session closes.
 pub(super) fn run(shared: &Shared, tracer: &CpuTracer) {
     let mut scheduler = Scheduler::new();
-    let mut previous = None;
-    let mut waiting = None;
-    loop {
-        let request = match waiting.take() {
-            Some(request) => request,
-            None => match shared.requests.wait() {
-                Some(request) => request,
-                None => return,
-            },
-        };
-        let job = match Job::new(request, previous.take()) {
-            Ok(job) => job,
-            Err(error) => {
-                let error = Some(error.to_string());
-                shared.publish(Progress {
-                    activity: Activity::Failed,
-                    error,
-                    ..Progress::default()
-                });
-                continue;
-            }
-        };
-        let (job, next) = job.serve(shared, tracer, &mut scheduler);
-        previous = Some(job);
-        match next {
-            Next::Request(request) => waiting = Some(request),
-            Next::Wait => {}
-            Next::Close => return,
+    let mut job: Option<Job> = None;
+    while let Some((request, generation)) = shared.requests.wait() {
+        // A film that was cut short is gone, whatever it was of.
+        let carries_on = job
+            .as_ref()
+            .is_some_and(|job| job.exposure.is_some() && job.request.makes_same_film(&request));
+        if carries_on {
+            scheduler.limit_passes(request.pass_limit);
+        } else {
+            scheduler.restart(request.size, request.pass_limit);
+        }
+        let previous = job.take();
+        // A bug in the tracer must not leave the window waiting for ever.
+        let served = catch_unwind(AssertUnwindSafe(|| {
+            let mut next = Job::new(request, previous, carries_on)?;
+            next.serve(shared, tracer, &mut scheduler, generation);
+            Ok(next)
+        }));
+        match served.unwrap_or_else(|_| Err(RendererError::Invalid(PANICKED.to_owned()))) {
+            Ok(served) => job = Some(served),
+            Err(error) => shared.publish(Progress {
+                activity: Activity::Failed,
+                error: Some(error.to_string()),
+                ..Progress::default()
+            }),
         }
     }
 }
 
-/// What ended the work on a request.
-enum Next {
-    /// A newer request.
-    Request(RenderRequest),
-    /// The picture is done.
-    Wait,
-    /// The session closes.
-    Close,
-}
-
-/// A request with its scene packed.
+/// A request with its scene packed, and what has been traced of it.
 struct Job {
     request: RenderRequest,
     scene: PackedScene,
     view: View,
+    draft: TraceSettings,
+    exposure: Option<Exposure>,
 }
 
 impl Job {
-    /// Packs the request's scene, or takes it over from the previous job where it is the same.
-    fn new(request: RenderRequest, previous: Option<Self>) -> Result<Self, RendererError> {
-        let view = View::new(&request.camera, request.size);
+    /// Packs the request's scene, or takes it over from the previous job where it is the same;
+    /// the film too where that `carries_on`.
+    fn new(
+        request: RenderRequest,
+        previous: Option<Self>,
+        carries_on: bool,
+    ) -> Result<Self, RendererError> {
         let bins = Bins::new(request.trace.bins);
-        let scene = match previous {
+        let (scene, exposure) = match previous {
+            Some(previous) if carries_on => (previous.scene, previous.exposure),
             Some(previous)
                 if previous.scene.bins == bins && is_same_scene(&previous.request, &request) =>
             {
-                previous.scene
+                (previous.scene, None)
             }
-            _ => PackedScene::new(&request.scene, bins)?,
+            _ => (PackedScene::new(&request.scene, bins)?, None),
         };
-        Ok(Self { request, scene, view })
+        let view = View::new(&request.camera, request.size);
+        let draft = request.trace.draft();
+        Ok(Self { request, scene, view, draft, exposure })
     }
 
-    fn serve(self, shared: &Shared, tracer: &CpuTracer, scheduler: &mut Scheduler) -> (Self, Next) {
-        scheduler.restart(self.request.size, self.request.pass_limit);
-        let mut exposure = None;
+    /// Traces until the picture is done or there is news.
+    fn serve(
+        &mut self,
+        shared: &Shared,
+        tracer: &CpuTracer,
+        scheduler: &mut Scheduler,
+        generation: u64,
+    ) {
         while let Some(work) = scheduler.next() {
-            let Some((letter, generation)) = shared.requests.take() else {
-                return (self, Next::Close);
+            let mut exposure = match self.exposure.take() {
+                Some(exposure) if !work.begins_film => exposure,
+                _ => self.expose(work),
             };
-            if let Some(request) = letter {
-                return (self, Next::Request(request));
-            }
-            if work.begins_film {
-                exposure = None;
-            }
-            let exposure = exposure.get_or_insert_with(|| Exposure::new(&self, work));
             let started = Instant::now();
             let statistics = tracer.trace_pass(
                 &self.scene,
                 &self.view,
-                &self.request.trace,
+                self.settings(work.effort),
                 &mut exposure.film,
                 || shared.requests.generation() != generation,
             );
-            let Some(statistics) = statistics else { continue };
+            // A pass that was cut short has spoilt its film.
+            let Some(statistics) = statistics else { return };
             let seconds = started.elapsed().as_secs_f64();
             scheduler.complete(seconds);
             exposure.add(&statistics, seconds);
-            let is_done = scheduler.next().is_none();
-            exposure.publish(shared, &self.request, is_done);
+            exposure.publish(shared, &self.request, scheduler.next().is_none());
+            self.exposure = Some(exposure);
+            if shared.requests.has_news() {
+                return;
+            }
         }
-        (self, Next::Wait)
+        if let Some(exposure) = &mut self.exposure {
+            exposure.publish(shared, &self.request, true);
+        }
+    }
+
+    fn settings(&self, effort: Effort) -> &TraceSettings {
+        match effort {
+            Effort::Draft => &self.draft,
+            Effort::Full => &self.request.trace,
+        }
+    }
+
+    fn expose(&self, work: Work) -> Exposure {
+        let [width, height] = self.request.size.map(|length| length.div_ceil(work.divisor));
+        Exposure {
+            film: Film::new(width, height, self.scene.bins),
+            effort: work.effort,
+            statistics: Statistics::default(),
+            seconds: 0.0,
+            published: None,
+        }
     }
 }
 
@@ -124,24 +149,14 @@ fn is_same_scene(a: &RenderRequest, b: &RenderRequest) -> bool {
 /// A film and what it has cost.
 struct Exposure {
     film: Film,
-    divisor: u32,
+    effort: Effort,
     statistics: Statistics,
     seconds: f64,
-    published: Option<Instant>,
+    /// When, and after how many passes, the film was last handed on.
+    published: Option<(Instant, u32)>,
 }
 
 impl Exposure {
-    fn new(job: &Job, work: Work) -> Self {
-        let [width, height] = job.request.size.map(|length| length.div_ceil(work.divisor));
-        Self {
-            film: Film::new(width, height, job.scene.bins),
-            divisor: work.divisor,
-            statistics: Statistics::default(),
-            seconds: 0.0,
-            published: None,
-        }
-    }
-
     fn add(&mut self, statistics: &Statistics, seconds: f64) {
         self.statistics += *statistics;
         self.seconds += seconds;
@@ -149,21 +164,24 @@ impl Exposure {
 
     /// Hands the film on, unless that was done a moment ago and more is to come.
     fn publish(&mut self, shared: &Shared, request: &RenderRequest, is_done: bool) {
-        let is_recent = self.published.is_some_and(|at| at.elapsed() < PUBLISH_INTERVAL);
+        let is_recent = self.published.is_some_and(|(at, _)| at.elapsed() < PUBLISH_INTERVAL);
         if is_recent && !is_done {
             return;
         }
-        self.published = Some(Instant::now());
-        *lock(&shared.image) = Some(Arc::new(XyzImage::from_film(&self.film)));
-        shared.develop();
-        let activity = match (is_done, self.divisor) {
+        let passes = self.film.passes();
+        if self.published.is_none_or(|(_, published_passes)| published_passes != passes) {
+            *lock(&shared.image) = Some(Arc::new(XyzImage::from_film(&self.film)));
+            shared.to_develop.post(());
+        }
+        self.published = Some((Instant::now(), passes));
+        let activity = match (is_done, self.effort) {
             (true, _) => Activity::Done,
-            (false, 1) => Activity::Accumulating,
-            (false, _) => Activity::Preview,
+            (false, Effort::Full) => Activity::Accumulating,
+            (false, Effort::Draft) => Activity::Preview,
         };
         shared.publish(Progress {
             activity,
-            passes: self.film.passes(),
+            passes,
             pass_limit: request.pass_limit,
             size: self.film.size(),
             statistics: self.statistics,

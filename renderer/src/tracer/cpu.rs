@@ -12,7 +12,7 @@ use crate::packed::PackedScene;
 use crate::settings::TraceSettings;
 use crate::statistics::{Ledger, Statistics};
 
-/// Pixels of a strip: the unit of work, and of cancelling.
+/// Pixels of a strip: the unit of work.
 const STRIP_PIXELS: usize = 64;
 
 /// Traces on a pool of threads of its own.
@@ -44,7 +44,7 @@ impl CpuTracer {
     /// Traces one camera ray per pixel and adds what it finds to `film`. The film's bits depend
     /// only on the arguments and the number of the pass, not on the threads.
     ///
-    /// Returns `None` where `is_cancelled` came true, asked before every strip; the film is then
+    /// Returns `None` where `is_cancelled` came true, asked before every pixel; the film is then
     /// of no more use.
     pub fn trace_pass(
         &self,
@@ -56,17 +56,22 @@ impl CpuTracer {
     ) -> Option<Statistics> {
         let pass = pass(view, settings, film.passes());
         let size = film.size();
-        let strip_len = STRIP_PIXELS * film.bins().count();
+        let (width, bins) = (size[0], film.bins().count());
         let strips = self.pool.install(|| {
             film.sums_mut()
-                .par_chunks_mut(strip_len)
+                .par_chunks_mut(STRIP_PIXELS * bins)
                 .enumerate()
                 .map_init(RayStack::new, |stack, (strip, sums)| {
-                    if is_cancelled() {
-                        return None;
+                    let mut statistics = Statistics::default();
+                    for (i, pixel) in sums.chunks_exact_mut(bins).enumerate() {
+                        if is_cancelled() {
+                            return None;
+                        }
+                        let number = (strip * STRIP_PIXELS + i) as u32;
+                        let at = (number % width, number / width);
+                        statistics += trace_pixel(scene, view, &pass, size, at, stack, pixel);
                     }
-                    let first_pixel = strip * STRIP_PIXELS;
-                    Some(trace_strip(scene, view, &pass, size, first_pixel, stack, sums))
+                    Some(statistics)
                 })
                 .collect::<Option<Vec<_>>>()
         })?;
@@ -79,25 +84,18 @@ impl CpuTracer {
     }
 }
 
-/// Traces the pixels whose bins are `sums`, from number `first_pixel` on.
-fn trace_strip(
+/// Traces the camera ray of the pixel at column `x`, row `y`, whose bins are `pixel`.
+fn trace_pixel(
     scene: &PackedScene,
     view: &View,
     pass: &Pass,
     size: [u32; 2],
-    first_pixel: usize,
+    (x, y): (u32, u32),
     stack: &mut RayStack,
-    sums: &mut [f32],
+    pixel: &mut [f32],
 ) -> Statistics {
-    let mut statistics = Statistics::default();
-    for (i, pixel) in sums.chunks_exact_mut(scene.bins.count()).enumerate() {
-        let number = (first_pixel + i) as u32;
-        let (x, y) = (number % size[0], number / size[0]);
-        let ray = camera_ray(&view.frame, size, x, y, pass.index);
-        let tally = trace(scene, pass, &ray, pixel_seed(x, y), stack, pixel);
-        statistics += pixel_statistics(&tally);
-    }
-    statistics
+    let ray = camera_ray(&view.frame, size, x, y, pass.index);
+    pixel_statistics(&trace(scene, pass, &ray, pixel_seed(x, y), stack, pixel))
 }
 
 fn pixel_statistics(tally: &Tally) -> Statistics {
