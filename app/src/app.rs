@@ -1,12 +1,13 @@
 //! The window's content: what is edited, what is asked of the renderer, what is shown.
 
+mod commands;
 mod files;
+mod overlays;
 
-use std::path::Path;
 use std::sync::Arc;
+use std::time::Instant;
 
 use brilliance_renderer::camera::Camera;
-use brilliance_renderer::error::RendererError;
 use brilliance_renderer::scene::Scene;
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::session::{RenderRequest, Session};
@@ -15,23 +16,25 @@ use eframe::egui::{self, CentralPanel, Color32, Ui, ViewportCommand};
 use crate::bounds::Bounds;
 use crate::command::{self, Command};
 use crate::editor::Editor;
-use crate::export::{
-    ExportAction, ExportWindow, RenderStill, StillJob, StillOrder, render_and_write,
-};
-use crate::help::{self, Help};
+use crate::export::{ExportWindow, RenderStill, render_and_write};
+use crate::first_picture::FirstPicture;
+use crate::help::Help;
+use crate::live::Live;
 use crate::menu;
 use crate::notice::Notices;
+use crate::opening::Opening;
 use crate::orbit::Orbit;
 use crate::panels::{self, PanelState};
-use crate::path_dialog::{AskPath, PathDialog, Purpose, Question, ask_desktop};
-use crate::question;
+use crate::path_dialog::{AskPath, PathDialog, ask_desktop};
 use crate::status;
 use crate::theme;
 use crate::viewport::Viewport;
 use files::Files;
 
-/// What the app has done outside of its window; a test brings its own.
+/// What the app has from outside of its window; a test brings its own.
 pub struct Services {
+    /// When the process started.
+    pub started: Instant,
     /// Asks the user for a path.
     pub ask_path: AskPath,
     /// Renders and writes a still.
@@ -41,7 +44,11 @@ pub struct Services {
 impl Default for Services {
     /// The desktop's dialogs and the renderer.
     fn default() -> Self {
-        Self { ask_path: Arc::new(ask_desktop), render_still: Arc::new(render_and_write) }
+        Self {
+            started: Instant::now(),
+            ask_path: Arc::new(ask_desktop),
+            render_still: Arc::new(render_and_write),
+        }
     }
 }
 
@@ -52,8 +59,7 @@ pub struct App {
     scene: Arc<Scene>,
     bounds: Bounds,
     orbit: Orbit,
-    session: Session,
-    request: Option<RenderRequest>,
+    live: Live,
     viewport: Viewport,
     viewport_size: [u32; 2],
     viewport_focused: bool,
@@ -65,54 +71,43 @@ pub struct App {
     export: ExportWindow,
     help: Option<Help>,
     title: String,
+    first_picture: FirstPicture,
 }
 
 impl App {
-    /// Shows `document`, which came from `file`.
-    ///
-    /// # Errors
-    /// The system gives the session no threads.
-    pub fn new(
-        ctx: &egui::Context,
-        document: Document,
-        file: Option<&Path>,
-    ) -> Result<Self, RendererError> {
-        Self::with_services(ctx, document, file, Services::default())
-    }
-
-    /// As [`new`](Self::new), with other ways to ask for a path and to render a still.
-    ///
-    /// # Errors
-    /// As [`new`](Self::new).
-    pub fn with_services(
-        ctx: &egui::Context,
-        document: Document,
-        file: Option<&Path>,
-        services: Services,
-    ) -> Result<Self, RendererError> {
+    /// Shows what is opened by `live`, which may be tracing it already.
+    pub fn new(ctx: &egui::Context, opening: Opening, live: Live, services: Services) -> Self {
         theme::apply(ctx);
-        let repaint = ctx.clone();
-        let editor = Editor::new(document, file);
+        live.wake(ctx);
+        let mut notices = Notices::default();
+        let mut files = Files::default();
+        let editor = match opening {
+            Opening::Read { document, file } => Editor::new(*document, file.as_deref()),
+            Opening::Reading(reading) => {
+                files.await_reading(reading, ctx, &mut notices);
+                Editor::new(Document::default(), None)
+            }
+        };
         let scene = Arc::new(editor.document.scene.clone());
-        Ok(Self {
+        Self {
             bounds: Bounds::of(&scene),
             orbit: Orbit::from_camera(&scene.camera),
             scene,
             editor,
-            session: Session::new(move || repaint.request_repaint())?,
-            request: None,
+            live,
             viewport: Viewport::default(),
             viewport_size: [1, 1],
             viewport_focused: false,
             panel: PanelState::default(),
             panel_shown: true,
-            notices: Notices::default(),
-            files: Files::default(),
+            notices,
+            files,
+            first_picture: FirstPicture::new(services.started),
             paths: PathDialog::new(services.ask_path),
             export: ExportWindow::new(services.render_still),
             help: None,
             title: String::new(),
-        })
+        }
     }
 
     /// The document as it is now.
@@ -122,12 +117,12 @@ impl App {
 
     /// The renderer's session.
     pub fn session(&self) -> &Session {
-        &self.session
+        self.live.session()
     }
 
     /// What the session was last asked for.
     pub fn request(&self) -> Option<&RenderRequest> {
-        self.request.as_ref()
+        self.live.request()
     }
 
     /// Where the picture is seen from.
@@ -138,6 +133,11 @@ impl App {
     /// The messages that are shown.
     pub fn notices(&self) -> &Notices {
         &self.notices
+    }
+
+    /// True while the question about unsaved changes is open.
+    pub fn asks_about_changes(&self) -> bool {
+        self.files.is_asking()
     }
 
     /// The title of the window.
@@ -170,44 +170,13 @@ impl App {
 
     /// Asks the session for what the document and the camera say.
     fn update_request(&mut self) {
+        if self.live.request().is_none() && self.files.opening_name().is_some() {
+            // The first picture is that of the file.
+            return;
+        }
         self.update_scene();
         let document = &self.editor.document;
-        let request = RenderRequest {
-            scene: Arc::clone(&self.scene),
-            camera: self.orbit.camera(),
-            size: self.viewport_size,
-            trace: document.trace.clone(),
-            pass_limit: document.still.passes,
-        };
-        if self.request.as_ref() != Some(&request) {
-            self.request = Some(request.clone());
-            self.session.request(request);
-        }
-        self.session.display(document.display.clone());
-    }
-
-    fn run(&mut self, command: Command, ctx: &egui::Context) {
-        match command {
-            Command::Open => self.ask_open(ctx),
-            Command::OpenScene(index) => self.open_scene(index, ctx),
-            Command::Save => self.save(ctx),
-            Command::SaveAs => self.ask_save(ctx),
-            Command::ExportStill => {
-                let suggestion = self.suggested_path("png");
-                self.export.open(self.editor.document.still, &suggestion);
-            }
-            Command::Quit => ctx.send_viewport_cmd(ViewportCommand::Close),
-            Command::Undo => self.editor.undo(),
-            Command::Redo => self.editor.redo(),
-            Command::Reset => self.editor.reset(),
-            Command::Look(view) => self.orbit.look(view, &self.bounds),
-            Command::ResetCamera => self.orbit = Orbit::from_camera(&self.scene.camera),
-            Command::Turn(delta) => self.orbit.rotate(delta, &self.bounds),
-            Command::Zoom(factor) => self.orbit.zoom(factor, [0.0, 0.0], &self.bounds),
-            Command::TogglePanel => self.panel_shown = !self.panel_shown,
-            Command::ShowKeys => self.help = Some(Help::Keys),
-            Command::ShowAbout => self.help = Some(Help::About),
-        }
+        self.live.ask(document, &self.scene, self.orbit.camera(), self.viewport_size);
     }
 
     fn menu_ui(&mut self, ui: &mut Ui) {
@@ -216,63 +185,27 @@ impl App {
         }
     }
 
+    fn panel_ui(&mut self, ui: &mut Ui) {
+        let baseline = self.editor.baseline().clone();
+        // What is edited while another document is on its way would be lost.
+        let editable = self.files.opening_name().is_none();
+        let document = &mut self.editor.document;
+        panels::show(ui, editable, document, &baseline, &mut self.panel);
+    }
+
     fn viewport_ui(&mut self, ui: &mut Ui) {
-        let (picture, progress) = (self.session.picture(), self.session.progress());
+        let (picture, progress) = (self.session().picture(), self.session().progress());
         let shown = CentralPanel::no_frame().show(ui, |ui| {
             self.viewport.show(ui, picture.as_ref(), &progress, &mut self.orbit, &self.bounds)
         });
+        if picture.is_some() {
+            self.first_picture.painted(ui.ctx());
+        }
         self.viewport_size = shown.inner.size;
         self.viewport_focused = shown.inner.response.has_focus();
         if shown.inner.reset {
             self.run(Command::ResetCamera, ui.ctx());
         }
-    }
-
-    /// Windows, questions and messages above the rest.
-    fn overlays_ui(&mut self, ctx: &egui::Context) {
-        let action = self.export.show(ctx, self.viewport_size, self.editor.document.trace.bins);
-        match action {
-            Some(ExportAction::Browse(suggestion)) => {
-                self.paths.open(ctx, Question { purpose: Purpose::ExportStill, suggestion });
-            }
-            Some(ExportAction::Start(order)) => self.start_export(order, ctx),
-            None => {}
-        }
-        if let Some(page) = self.help
-            && !help::show(ctx, page)
-        {
-            self.help = None;
-        }
-        if self.files.is_asking()
-            && let Some(decision) = question::show(ctx, self.editor.stem())
-        {
-            self.decide(decision, ctx);
-        }
-        if let Some((purpose, path)) = self.paths.show(ctx) {
-            self.take_path(purpose, path, ctx);
-        }
-        self.notices.show(ctx);
-        files::drop_target_ui(ctx, self.files.opening_name());
-    }
-
-    fn start_export(&mut self, order: StillOrder, ctx: &egui::Context) {
-        let mut document = self.document_to_save();
-        document.still = order.still;
-        let folder = order.path.parent().unwrap_or(Path::new(""));
-        let job = StillJob {
-            request: RenderRequest {
-                scene: Arc::clone(&self.scene),
-                camera: self.orbit.camera(),
-                size: order.still.size,
-                trace: document.trace.clone(),
-                pass_limit: order.still.passes,
-            },
-            display: document.display.clone(),
-            format: order.format,
-            scene_toml: document.to_toml(folder),
-            path: order.path,
-        };
-        self.export.start(job, ctx, &mut self.notices);
     }
 
     fn update_title(&mut self, ctx: &egui::Context) {
@@ -292,12 +225,12 @@ impl eframe::App for App {
     }
 
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
+        self.first_picture.begin_frame();
         let ctx = ui.ctx().clone();
         self.menu_ui(ui);
-        status::show(ui, &self.session.progress(), self.session.threads());
+        status::show(ui, &self.session().progress(), self.session().threads());
         if self.panel_shown {
-            let baseline = self.editor.baseline().clone();
-            panels::show(ui, &mut self.editor.document, &baseline, &mut self.panel);
+            self.panel_ui(ui);
         }
         self.viewport_ui(ui);
         self.overlays_ui(&ctx);
@@ -319,12 +252,5 @@ impl eframe::App for App {
 
     fn on_exit(&mut self) {
         self.export.cancel();
-    }
-}
-
-impl App {
-    /// True while a question waits above everything else.
-    fn is_modal(&self) -> bool {
-        self.help.is_some() || self.files.is_asking() || self.paths.is_open()
     }
 }

@@ -39,6 +39,8 @@ pub enum Command {
     ShowKeys,
     /// Says what this program is.
     ShowAbout,
+    /// Closes what lies over the picture.
+    Dismiss,
 }
 
 /// Points of drag per press of an arrow key.
@@ -61,7 +63,7 @@ const SHORTCUTS: [(Command, KeyboardShortcut); 8] = [
 ];
 
 /// Plain keys, for when no text is typed.
-const VIEW_KEYS: [(Key, Command); 9] = [
+const VIEW_KEYS: [(Key, Command); 10] = [
     (Key::Num1, Command::Look(StandardView::FaceUp)),
     (Key::F, Command::Look(StandardView::FaceUp)),
     (Key::Num3, Command::Look(StandardView::Side)),
@@ -71,6 +73,7 @@ const VIEW_KEYS: [(Key, Command); 9] = [
     (Key::R, Command::ResetCamera),
     (Key::F1, Command::ShowKeys),
     (Key::F9, Command::TogglePanel),
+    (Key::Escape, Command::Dismiss),
 ];
 
 /// Plain keys that a focused slider needs for itself.

@@ -16,6 +16,8 @@ pub struct Editor {
     history: History<Document>,
     /// The scene file it is saved to.
     file: Option<PathBuf>,
+    /// Where what was opened or saved last is.
+    folder: Option<PathBuf>,
     name: String,
 }
 
@@ -25,13 +27,16 @@ impl Editor {
     /// Begins with `document`, which came from `file`. Only a scene file is written back to; a
     /// mesh is not.
     pub fn new(document: Document, file: Option<&Path>) -> Self {
-        let name = file.and_then(Path::file_name);
+        // A file of the command line may be relative; what is shown and suggested is not.
+        let file = file.map(|path| std::path::absolute(path).unwrap_or(path.to_owned()));
+        let name = file.as_deref().and_then(Path::file_name);
         let name = name.map_or(UNTITLED.to_owned(), |name| name.to_string_lossy().into_owned());
         Self {
             baseline: document.clone(),
             history: History::new(document.clone()),
             document,
-            file: file.filter(|path| is_scene_file(path)).map(Path::to_owned),
+            folder: file.as_deref().and_then(Path::parent).map(Path::to_owned),
+            file: file.filter(|path| is_scene_file(path)),
             name,
         }
     }
@@ -49,6 +54,16 @@ impl Editor {
     /// The scene file it is saved to, if it has one.
     pub fn file(&self) -> Option<&Path> {
         self.file.as_deref()
+    }
+
+    /// Where what was opened or saved last is, if it is in a file.
+    pub fn folder(&self) -> Option<&Path> {
+        self.folder.as_deref()
+    }
+
+    /// Its name, with the ending of its file.
+    pub fn name(&self) -> &str {
+        &self.name
     }
 
     /// True if it differs from what is in its file.
@@ -71,6 +86,7 @@ impl Editor {
     pub fn mark_saved(&mut self, saved: Document, file: PathBuf) {
         self.name = file.file_name().unwrap_or(file.as_os_str()).to_string_lossy().into_owned();
         self.baseline = saved;
+        self.folder = file.parent().map(Path::to_owned);
         self.file = Some(file);
     }
 

@@ -13,7 +13,7 @@ pub enum Help {
     About,
 }
 
-const KEYS: [(&str, &str); 14] = [
+const KEYS: [(&str, &str); 15] = [
     ("Drag", "turn the stone"),
     ("Middle drag, Shift + drag", "move it"),
     ("Wheel, pinch", "come nearer to what is under the cursor"),
@@ -26,6 +26,7 @@ const KEYS: [(&str, &str); 14] = [
     ("Ctrl + O, Ctrl + S", "open, save"),
     ("Ctrl + E", "export a still"),
     ("Ctrl + Z, Ctrl + Shift + Z", "undo, redo"),
+    ("Escape", "close the export window, then messages"),
     ("F9", "show or hide the panel"),
     ("Ctrl + Q", "quit"),
 ];
@@ -39,7 +40,7 @@ pub fn show(ctx: &Context, page: Help) -> bool {
             Help::About => about_ui(ui),
         }
         ui.add_space(8.0);
-        ui.button("Close").clicked()
+        ui.horizontal(|ui| ui.add(theme::dialog_button("Close")).clicked()).inner
     });
     !(modal.inner || modal.should_close())
 }

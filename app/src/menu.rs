@@ -33,7 +33,7 @@ fn file_ui(ui: &mut Ui, chosen: &mut Option<Command>) {
     entry(ui, true, "Open\u{2026}", Command::Open, chosen);
     ui.menu_button("Open scene", |ui| {
         for (index, scene) in scenes().iter().enumerate() {
-            if ui.button(scene.name).clicked() {
+            if ui.button(scene.name).on_hover_text(description(scene.text)).clicked() {
                 *chosen = Some(Command::OpenScene(index));
             }
         }
@@ -44,6 +44,12 @@ fn file_ui(ui: &mut Ui, chosen: &mut Option<Command>) {
     entry(ui, true, "Export still\u{2026}", Command::ExportStill, chosen);
     ui.separator();
     entry(ui, true, "Quit", Command::Quit, chosen);
+}
+
+/// What a scene file says of itself in the comment it begins with.
+fn description(scene: &str) -> String {
+    let comment = scene.lines().map_while(|line| line.strip_prefix('#'));
+    comment.map(str::trim).collect::<Vec<_>>().join(" ")
 }
 
 fn edit_ui(ui: &mut Ui, editor: &Editor, chosen: &mut Option<Command>) {

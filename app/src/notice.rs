@@ -51,9 +51,19 @@ impl Notices {
         &self.list
     }
 
+    /// Takes the newest message away, as its button does.
+    pub fn dismiss(&mut self) {
+        self.list.pop();
+    }
+
+    /// Takes messages of this title back: what they say is no longer so.
+    pub fn withdraw(&mut self, title: &str) {
+        self.list.retain(|notice| notice.title != title);
+    }
+
     fn push(&mut self, kind: NoticeKind, title: String, text: String) {
-        // The same message again is still one message.
-        self.list.retain(|notice| notice.title != title || notice.text != text);
+        // The last try is the one that counts.
+        self.withdraw(&title);
         self.list.push(Notice { kind, title, text, shown_since: None });
     }
 
@@ -125,4 +135,9 @@ fn notice_ui(ui: &mut Ui, notice: &Notice) -> bool {
             dismissed
         })
         .inner
+}
+
+/// A text that names the file even where the fault does not.
+pub fn naming(name: &str, fault: &str) -> String {
+    if fault.contains(name) { fault.to_owned() } else { format!("{name}: {fault}") }
 }

@@ -12,7 +12,7 @@ use crate::theme;
 /// What a path is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {
-    /// A scene or a mesh to open.
+    /// A scene, a mesh or the scene of a still to open.
     Open,
     /// Where to save the scene.
     SaveScene,
@@ -33,7 +33,7 @@ pub struct Question {
 pub type AskPath = Arc<dyn Fn(&Question) -> Option<PathBuf> + Send + Sync>;
 
 /// A dialog that answers sooner than this was not seen by anybody: the system has none.
-const SOONEST_ANSWER: Duration = Duration::from_millis(400);
+const SOONEST_ANSWER: Duration = Duration::from_millis(700);
 
 /// The question that is open, if any.
 pub struct PathDialog {
@@ -44,8 +44,13 @@ pub struct PathDialog {
 
 struct Native {
     question: Question,
-    task: Task<Option<PathBuf>>,
-    since: Instant,
+    task: Task<Answered>,
+}
+
+/// What a dialog of the system gave, and how long that took.
+struct Answered {
+    path: Option<PathBuf>,
+    after: Duration,
 }
 
 struct Typed {
@@ -58,7 +63,7 @@ struct Typed {
 impl Purpose {
     fn title(self) -> &'static str {
         match self {
-            Self::Open => "Open a scene or a mesh",
+            Self::Open => "Open a scene, a mesh or the scene of a still",
             Self::SaveScene => "Save the scene",
             Self::ExportStill => "Export the still",
         }
@@ -91,8 +96,13 @@ impl PathDialog {
         }
         let ask = Arc::clone(&self.ask);
         let asked = question.clone();
-        match Task::spawn("file dialog", ctx, move || ask(&asked)) {
-            Ok(task) => self.native = Some(Native { question, task, since: Instant::now() }),
+        let answer = move || {
+            let since = Instant::now();
+            let path = ask(&asked);
+            Answered { path, after: since.elapsed() }
+        };
+        match Task::spawn("file dialog", ctx, answer) {
+            Ok(task) => self.native = Some(Native { question, task }),
             Err(_) => self.typed = Some(Typed::new(&question)),
         }
     }
@@ -102,9 +112,11 @@ impl PathDialog {
         if let Some(native) = self.native.take() {
             match native.task.poll() {
                 TaskState::Running => self.native = Some(native),
-                TaskState::Finished(Some(path)) => return Some((native.question.purpose, path)),
-                TaskState::Finished(None) if native.since.elapsed() >= SOONEST_ANSWER => {}
-                TaskState::Finished(None) | TaskState::Broken => {
+                TaskState::Finished(Answered { path: Some(path), .. }) => {
+                    return Some((native.question.purpose, path));
+                }
+                TaskState::Finished(answered) if answered.after >= SOONEST_ANSWER => {}
+                TaskState::Finished(_) | TaskState::Broken => {
                     self.typed = Some(Typed::new(&native.question));
                 }
             }
@@ -174,14 +186,15 @@ fn typed_ui(ui: &mut Ui, typed: &mut Typed) -> Answer {
     if typed.replaces {
         ui.label(RichText::new("This file exists and will be replaced.").color(theme::WARNING));
     }
+    ui.add_space(8.0);
     let mut answer = Answer::None;
     ui.horizontal(|ui| {
         let ready = !typed.text.trim().is_empty();
-        let confirm = ui.add_enabled(ready, egui::Button::new(typed.purpose.action()));
+        let confirm = ui.add_enabled(ready, theme::main_button(typed.purpose.action()));
         if confirm.clicked() || (entered && ready) {
             answer = Answer::Path(typed.path());
         }
-        if ui.button("Cancel").clicked() {
+        if ui.add(theme::dialog_button("Cancel")).clicked() {
             answer = Answer::Cancelled;
         }
     });
@@ -204,7 +217,7 @@ pub fn ask_desktop(question: &Question) -> Option<PathBuf> {
     match question.purpose {
         Purpose::Open => dialog
             .set_file_name("")
-            .add_filter("Scenes and meshes", &["toml", "gltf", "glb"])
+            .add_filter("Scenes, meshes and stills", &["toml", "gltf", "glb", "png", "exr"])
             .pick_file(),
         Purpose::SaveScene => dialog
             .add_filter("Scene", &["toml"])

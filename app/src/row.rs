@@ -9,8 +9,8 @@ use eframe::egui::{
 
 use crate::theme;
 
-const LABEL_WIDTH: f32 = 112.0;
-const VALUE_WIDTH: f32 = 74.0;
+const LABEL_WIDTH: f32 = 108.0;
+const VALUE_WIDTH: f32 = 82.0;
 const SLIDER_HEIGHT: f32 = 13.0;
 
 /// A slider with its label, its typed value and its unit.

@@ -13,6 +13,7 @@ pub fn show(ui: &mut Ui, progress: &Progress, threads: usize) {
             ui.spacing_mut().item_spacing.x = 6.0;
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 item(ui, &cpu_backend(threads), "What traces the rays.");
+                ui.add_space(12.0);
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                     ui.shrink_clip_rect(ui.max_rect());
                     progress_ui(ui, progress);

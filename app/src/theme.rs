@@ -2,8 +2,8 @@
 
 use eframe::egui::style::{HandleShape, ScrollStyle};
 use eframe::egui::{
-    Color32, Context, CornerRadius, FontId, Frame, Id, Margin, Modal, Shadow, Stroke, TextStyle,
-    Theme, vec2,
+    Button, Color32, Context, CornerRadius, FontId, Frame, Id, Margin, Modal, RichText, Shadow,
+    Stroke, TextStyle, Theme, WidgetText, vec2,
 };
 
 /// Behind the picture.
@@ -61,6 +61,16 @@ pub fn apply(ctx: &Context) {
 pub fn dialog(ctx: &Context, name: &str) -> Modal {
     let frame = Frame::popup(&ctx.global_style()).inner_margin(16);
     Modal::new(Id::unique(name)).frame(frame)
+}
+
+/// The button of a dialog that does what the dialog is for.
+pub fn main_button(text: &str) -> Button<'_> {
+    dialog_button(RichText::new(text).color(TEXT_STRONG)).fill(ACCENT_DIM)
+}
+
+/// Another button of a dialog.
+pub fn dialog_button<'a>(text: impl Into<WidgetText>) -> Button<'a> {
+    Button::new(text.into()).min_size(vec2(88.0, 26.0))
 }
 
 fn visuals(visuals: &mut eframe::egui::Visuals) {

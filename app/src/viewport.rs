@@ -57,13 +57,12 @@ impl Viewport {
             .map(|side| (side * pixels_per_point).round().clamp(1.0, LARGEST_SIDE) as u32);
 
         let painter = ui.painter_at(room);
-        painter.rect_filled(room, 0.0, theme::BACKDROP);
-        match picture {
-            Some(picture) => {
-                self.upload(ui.ctx(), picture, size);
-                self.paint(&painter, room, size, pixels_per_point);
-            }
-            None => empty_ui(&painter, room, progress),
+        if let Some(picture) = picture {
+            self.upload(ui.ctx(), picture, size);
+            self.paint(&painter, room, size, pixels_per_point);
+        } else {
+            painter.rect_filled(room, 0.0, theme::BACKDROP);
+            empty_ui(&painter, room, progress);
         }
         if let Some(error) = &progress.error {
             banner_ui(ui, room, error);
@@ -101,6 +100,10 @@ impl Viewport {
         } else {
             fitted(room, size)
         };
+        // Where drawing is done by the processor, no pixel should be filled twice.
+        if !rect.expand(1.0).contains_rect(room) {
+            painter.rect_filled(room, 0.0, theme::BACKDROP);
+        }
         let whole = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
         painter.image(texture.id(), rect, whole, Color32::WHITE);
     }

@@ -8,16 +8,22 @@ use eframe::egui::{self, Align2, FontId, Id, LayerId, Order, ViewportCommand};
 
 use super::App;
 use crate::editor::Editor;
+use crate::notice::{Notices, naming};
+use crate::opening::Reading;
 use crate::path_dialog::{Purpose, Question};
-use crate::question::Decision;
+use crate::question::{Decision, Loss};
 use crate::task::{Task, TaskState};
 use crate::theme;
 
+const NOT_OPENED: &str = "Not opened";
+const NOT_SAVED: &str = "Not saved";
+
 /// What would lose unsaved changes.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug)]
 enum Intent {
     Quit,
-    Open(Source),
+    /// To show a document that has been read.
+    Show(Box<Editor>),
 }
 
 /// Where a document comes from.
@@ -72,6 +78,23 @@ impl Files {
         self.asked.is_some()
     }
 
+    /// Takes over a file that is being read since before there was a window.
+    pub(super) fn await_reading(
+        &mut self,
+        reading: Reading,
+        ctx: &egui::Context,
+        notices: &mut Notices,
+    ) {
+        let path = reading.path().to_owned();
+        let name = path.display().to_string();
+        let finish =
+            move || reading.finish().map(|document| Editor::new(document, Some(path.as_path())));
+        match Task::spawn("await opening", ctx, finish) {
+            Ok(task) => self.opening = Some((name, task)),
+            Err(fault) => notices.error(NOT_OPENED, no_thread(&name, &fault)),
+        }
+    }
+
     /// The file that is being read.
     pub(super) fn opening_name(&self) -> Option<&str> {
         self.opening.as_ref().map(|(name, _)| name.as_str())
@@ -79,21 +102,20 @@ impl Files {
 }
 
 impl App {
-    /// Opens a scene or a mesh, after asking about unsaved changes.
+    /// Opens a scene or a mesh; asks about unsaved changes once it is read.
     pub fn open_file(&mut self, path: PathBuf, ctx: &egui::Context) {
-        self.intend(Intent::Open(Source::File(path)), ctx);
+        self.read(Source::File(path), ctx);
     }
 
     /// Opens the shipped scene of this index.
     pub(super) fn open_scene(&mut self, index: usize, ctx: &egui::Context) {
         if let Some(scene) = scenes().get(index) {
-            self.intend(Intent::Open(Source::Shipped(*scene)), ctx);
+            self.read(Source::Shipped(*scene), ctx);
         }
     }
 
     pub(super) fn ask_open(&mut self, ctx: &egui::Context) {
-        let folder = self.editor.file().and_then(Path::parent).map(Path::to_owned);
-        let suggestion = folder.unwrap_or_else(current_folder);
+        let suggestion = self.editor.folder().map_or_else(current_folder, Path::to_owned);
         self.paths.open(ctx, Question { purpose: Purpose::Open, suggestion });
     }
 
@@ -112,8 +134,7 @@ impl App {
 
     /// A file beside the document's own, with another ending.
     pub(super) fn suggested_path(&self, extension: &str) -> PathBuf {
-        let folder = self.editor.file().and_then(Path::parent).map(Path::to_owned);
-        let folder = folder.unwrap_or_else(current_folder);
+        let folder = self.editor.folder().map_or_else(current_folder, Path::to_owned);
         folder.join(format!("{}.{extension}", self.editor.stem()))
     }
 
@@ -146,7 +167,7 @@ impl App {
         if let Some(path) = dropped {
             self.open_file(path, ctx);
         }
-        self.poll_opening();
+        self.poll_opening(ctx);
         self.poll_saving(ctx);
         // The user chose no file to save to: the plan that waited for it is off.
         if !self.paths.is_open() && self.files.saving.is_none() {
@@ -154,10 +175,19 @@ impl App {
         }
     }
 
-    /// Holds the window open while changes are unsaved.
+    /// What the intent that is asked about would lose.
+    pub(super) fn loss(&self) -> Loss<'_> {
+        let quits = matches!(self.files.asked, Some(Intent::Quit));
+        Loss {
+            changed: self.editor.edited().then(|| self.editor.name()),
+            export: quits && self.export.is_running(),
+        }
+    }
+
+    /// Holds the window open while changes are unsaved or a still is rendered.
     pub(super) fn guard_close(&mut self, ctx: &egui::Context) {
         let closing = ctx.input(|input| input.viewport().close_requested());
-        if closing && self.editor.edited() && !self.files.may_quit {
+        if closing && !self.files.may_quit && (self.editor.edited() || self.export.is_running()) {
             ctx.send_viewport_cmd(ViewportCommand::CancelClose);
             self.files.asked = Some(Intent::Quit);
         }
@@ -177,13 +207,15 @@ impl App {
                 self.files.may_quit = true;
                 ctx.send_viewport_cmd(ViewportCommand::Close);
             }
-            Intent::Open(source) => {
-                let name = source.name();
-                match Task::spawn("open", ctx, move || source.open()) {
-                    Ok(task) => self.files.opening = Some((name, task)),
-                    Err(fault) => self.notices.error("Not opened", no_thread(&name, &fault)),
-                }
-            }
+            Intent::Show(editor) => self.replace(*editor),
+        }
+    }
+
+    fn read(&mut self, source: Source, ctx: &egui::Context) {
+        let name = source.name();
+        match Task::spawn("open", ctx, move || source.open()) {
+            Ok(task) => self.files.opening = Some((name, task)),
+            Err(fault) => self.notices.error(NOT_OPENED, no_thread(&name, &fault)),
         }
     }
 
@@ -193,25 +225,27 @@ impl App {
         match Task::spawn("save", ctx, move || copy.save(&target)) {
             Ok(task) => self.files.saving = Some(Saving { path, document, task }),
             Err(fault) => {
-                self.notices.error("Not saved", no_thread(&path.display().to_string(), &fault));
+                self.notices.error(NOT_SAVED, no_thread(&path.display().to_string(), &fault));
             }
         }
     }
 
-    fn poll_opening(&mut self) {
-        let Some((name, task)) = &self.files.opening else { return };
+    fn poll_opening(&mut self, ctx: &egui::Context) {
+        let Some((name, task)) = self.files.opening.take() else { return };
         match task.poll() {
-            TaskState::Running => return,
-            TaskState::Finished(Ok(editor)) => self.replace(editor),
+            TaskState::Running => self.files.opening = Some((name, task)),
+            TaskState::Finished(Ok(editor)) => {
+                self.notices.withdraw(NOT_OPENED);
+                self.intend(Intent::Show(Box::new(editor)), ctx);
+            }
             TaskState::Finished(Err(fault)) => {
-                self.notices.error("Not opened", naming(name, &fault.to_string()));
+                self.notices.error(NOT_OPENED, naming(&name, &fault.to_string()));
             }
             TaskState::Broken => {
                 let fault = "the program failed while reading it; please report this file";
-                self.notices.error("Not opened", naming(name, fault));
+                self.notices.error(NOT_OPENED, naming(&name, fault));
             }
         }
-        self.files.opening = None;
     }
 
     fn poll_saving(&mut self, ctx: &egui::Context) {
@@ -220,6 +254,7 @@ impl App {
         match saving.task.poll() {
             TaskState::Running => self.files.saving = Some(saving),
             TaskState::Finished(Ok(())) => {
+                self.notices.withdraw(NOT_SAVED);
                 self.notices.confirm("Scene saved", name);
                 self.finish_saving(saving.document, saving.path);
                 if let Some(intent) = self.files.after_saving.take() {
@@ -227,12 +262,12 @@ impl App {
                 }
             }
             TaskState::Finished(Err(fault)) => {
-                self.notices.error("Not saved", naming(&name, &fault.to_string()));
+                self.notices.error(NOT_SAVED, naming(&name, &fault.to_string()));
                 self.files.after_saving = None;
             }
             TaskState::Broken => {
                 let fault = "the program failed while writing it; please report this scene";
-                self.notices.error("Not saved", naming(&name, fault));
+                self.notices.error(NOT_SAVED, naming(&name, fault));
                 self.files.after_saving = None;
             }
         }
@@ -243,11 +278,6 @@ impl App {
         self.editor.document.scene.camera = saved.scene.camera;
         self.editor.mark_saved(saved, path);
     }
-}
-
-/// A text that names the file even where the fault does not.
-fn naming(name: &str, fault: &str) -> String {
-    if fault.contains(name) { fault.to_owned() } else { format!("{name}: {fault}") }
 }
 
 fn no_thread(name: &str, fault: &std::io::Error) -> String {

@@ -13,15 +13,17 @@ mod view;
 
 use std::io::Write as _;
 use std::process::ExitCode;
+use std::time::Instant;
 
 use arguments::{Arguments, Command};
 
 /// Runs the program with the arguments of the process.
 pub fn run() -> ExitCode {
+    let started = Instant::now();
     env_logger::Builder::from_env(env_logger::Env::default().default_filter_or("error")).init();
     let arguments = Arguments::parse_checked();
     let result = match arguments.command {
-        None => view::view(arguments.file),
+        None => view::view(arguments.file.as_deref(), started),
         Some(Command::Render(render)) => render::render(&render),
     };
     match result {

@@ -1,24 +1,28 @@
 //! `brilliance [FILE]`: opens the window.
 
-use std::path::PathBuf;
+use std::path::Path;
+use std::time::{Duration, Instant};
 
 use anyhow::{anyhow, bail};
-use brilliance_renderer::scene_file::Document;
 
+use crate::opening::Opening;
 use crate::window;
 
 const RENDER_WITHOUT: &str = "`brilliance render SCENE -o OUT.png` renders a picture without one";
 
-/// Opens the window on `file`, or on the default stone.
-pub(super) fn view(file: Option<PathBuf>) -> anyhow::Result<()> {
-    let document = match &file {
-        Some(path) => Document::open(path)?,
-        None => Document::default(),
+/// What is wrong with a file mostly shows within this time, and nobody notices it.
+const PATIENCE: Duration = Duration::from_millis(150);
+
+/// Opens the window on `file`, or on the default stone; the process `started` then.
+pub(super) fn view(file: Option<&Path>, started: Instant) -> anyhow::Result<()> {
+    let opening = match file {
+        Some(path) => Opening::begin(path, PATIENCE)?,
+        None => Opening::default(),
     };
     if display_is_missing() {
         bail!("there is no display to open a window on; {RENDER_WITHOUT}");
     }
-    window::open(document, file).map_err(|error| anyhow!("{error}; {RENDER_WITHOUT}"))
+    window::open(opening, started).map_err(|error| anyhow!("{error}; {RENDER_WITHOUT}"))
 }
 
 /// Whether this is a system whose windows need a display server, and none is named.

@@ -9,6 +9,7 @@ use brilliance_renderer::error::RendererError;
 use brilliance_renderer::session::RenderRequest;
 use brilliance_renderer::settings::DisplaySettings;
 use brilliance_renderer::still::{Still, StillFormat, StillLimits};
+use brilliance_renderer::whole_file;
 use eframe::egui;
 
 use crate::task::{Task, TaskState};
@@ -48,12 +49,14 @@ pub type RenderStill = Arc<
 /// Renders `job` by [`Still`] and writes its file.
 ///
 /// # Errors
-/// As [`Still::render`] and [`Still::write`].
+/// The file can't be written, or as [`Still::render`] and [`Still::write`].
 pub fn render_and_write(
     job: &StillJob,
     cancel: &AtomicBool,
     progress: &mut dyn FnMut(u32),
 ) -> Result<StillReport, RendererError> {
+    // A mistyped folder should be told now, not after an hour of tracing.
+    whole_file::check(&job.path)?;
     let limits = StillLimits::default();
     let still = Still::render(&job.request, limits, cancel, |passes, _| progress(passes))?;
     still.write(&job.path, job.format, &job.display, &job.scene_toml)?;

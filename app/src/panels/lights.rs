@@ -4,9 +4,10 @@ use std::f32::consts::PI;
 
 use brilliance_renderer::light::{DiscLight, Lights, SkyLight};
 use brilliance_renderer::rigs::{Rig, rigs, scaled};
-use eframe::egui::Ui;
+use eframe::egui::{RichText, Ui};
 
 use crate::row::{SliderRow, combo, labelled, switch};
+use crate::theme;
 
 /// Shows the section. The sliders go back to the lights of the rig in use, or to those that were
 /// `opened` with the scene.
@@ -17,7 +18,11 @@ pub(super) fn show(ui: &mut Ui, lights: &mut Lights, opened: &Lights) {
         return;
     }
     let default = &rig.map_or_else(|| opened.clone(), |rig| (rig.lights)());
-    ui.add_enabled_ui(!lights.discs.is_empty(), |ui| discs_ui(ui, lights, &default.discs));
+    if lights.discs.is_empty() {
+        ui.label(RichText::new("No lamps: the sky alone lights it.").color(theme::TEXT_WEAK));
+    } else {
+        discs_ui(ui, lights, &default.discs);
+    }
     ambient_ui(ui, lights, default);
     observer_ui(ui, lights, default);
     backdrop_ui(ui, lights);

@@ -3,8 +3,9 @@
 use brilliance_renderer::material::{
     Dielectric, Dispersion, LibraryMaterial, Material, find, library,
 };
-use eframe::egui::{ComboBox, PopupCloseBehavior, RichText, ScrollArea, TextEdit, Ui};
+use eframe::egui::{ComboBox, Key, PopupCloseBehavior, RichText, ScrollArea, TextEdit, Ui};
 
+use super::curve::{self, Form, curve_ui};
 use crate::row::{SliderRow, labelled, readout};
 use crate::theme;
 
@@ -26,17 +27,12 @@ fn shown_name(material: &Material) -> String {
     match material {
         Material::Diffuse(_) => "Matte".to_owned(),
         Material::Dielectric(stone) => match find(&stone.name) {
-            Some(known) if !is_curve_of(&stone.dispersion, known) => {
+            Some(known) if !curve::is_standard(stone, known) => {
                 format!("{}, changed", stone.name)
             }
             _ => stone.name.clone(),
         },
     }
-}
-
-/// True for the measured curve and for the paper's straight line.
-fn is_curve_of(dispersion: &Dispersion, known: &LibraryMaterial) -> bool {
-    *dispersion == known.dispersion || *dispersion == known.linear()
 }
 
 /// The list of the library with a search field; gives what is chosen.
@@ -58,23 +54,26 @@ fn library_ui(ui: &mut Ui, shown: &str, filter: &mut String) -> Option<&'static 
 fn choices_ui(ui: &mut Ui, shown: &str, filter: &mut String) -> Option<&'static LibraryMaterial> {
     let search = TextEdit::singleline(filter).hint_text("Search").desired_width(f32::INFINITY);
     let search = ui.add(search);
-    if ui.memory(|memory| memory.focused().is_none()) {
+    if ui.memory(|memory| memory.focused().is_none()) && !search.lost_focus() {
         search.request_focus();
     }
     let wanted = filter.trim().to_lowercase();
     let matches =
         |known: &LibraryMaterial| known.names().any(|name| name.to_lowercase().contains(&wanted));
-    let mut chosen = None;
+    let entered = search.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+    let mut chosen = library().iter().find(|known| entered && matches(known));
     ScrollArea::vertical().max_height(320.0).show(ui, |ui| {
         for known in library().iter().filter(|known| matches(known)) {
             let label = ui.selectable_label(known.name == shown, &known.name);
             if label.on_hover_text(figures(known)).clicked() {
                 chosen = Some(known);
-                filter.clear();
-                ui.close();
             }
         }
     });
+    if chosen.is_some() {
+        filter.clear();
+        ui.close();
+    }
     chosen
 }
 
@@ -99,11 +98,9 @@ fn figures(known: &LibraryMaterial) -> String {
 }
 
 fn index_ui(ui: &mut Ui, dielectric: &mut Dielectric) {
-    let default = match (find(&dielectric.name), &dielectric.dispersion) {
-        (Some(known), Dispersion::Linear { .. }) => known.linear(),
-        (Some(known), _) => known.dispersion.clone(),
-        (None, dispersion) => dispersion.clone(),
-    };
+    let form = Form::of(dielectric);
+    let default = find(&dielectric.name).and_then(|known| form.standard(known));
+    let default = default.unwrap_or_else(|| dielectric.dispersion.clone());
     let (mut n_d, mut dispersion_bg) =
         (dielectric.dispersion.n_d(), dielectric.dispersion.dispersion_bg());
     let index_changed = SliderRow::new(
@@ -123,23 +120,15 @@ fn index_ui(ui: &mut Ui, dielectric: &mut Dielectric) {
     .decimals(4)
     .show(ui, &mut dispersion_bg);
     if index_changed || dispersion_changed {
-        dielectric.dispersion = dielectric.dispersion.rescaled(n_d, dispersion_bg);
+        dielectric.dispersion = form.through(dielectric, n_d, dispersion_bg);
     }
-    curve_ui(ui, &dielectric.dispersion);
+    curve_ui(ui, dielectric);
+    abbe_ui(ui, &dielectric.dispersion);
 }
 
-fn curve_ui(ui: &mut Ui, dispersion: &Dispersion) {
+fn abbe_ui(ui: &mut Ui, dispersion: &Dispersion) {
     let abbe = dispersion.abbe_number();
     let text = if abbe.is_finite() { format!("{abbe:.1}") } else { "\u{2013}".to_owned() };
     let tooltip = "The optician's measure, index minus one over dispersion: low means much fire.";
     readout(ui, "Abbe number", tooltip, &text);
-    let curve = match dispersion {
-        Dispersion::Linear { .. } => "Straight line",
-        Dispersion::Cauchy { .. } => "Cauchy",
-        Dispersion::Sellmeier { .. } => "Sellmeier, measured",
-        Dispersion::Tabulated { .. } => "Table",
-    };
-    let tooltip =
-        "The form of the index over wavelength; the straight line is that of Thomas 1986.";
-    readout(ui, "Index curve", tooltip, curve);
 }

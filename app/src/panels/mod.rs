@@ -1,5 +1,6 @@
 //! The side panel: the sections that edit the document.
 
+mod curve;
 mod display;
 mod lights;
 mod material;
@@ -24,15 +25,26 @@ pub struct PanelState {
 
 /// Shows the panel at the right edge. `opened` is the document as it was opened, where the lights
 /// go back to.
-pub fn show(ui: &mut Ui, document: &mut Document, opened: &Document, state: &mut PanelState) {
+pub fn show(
+    ui: &mut Ui,
+    editable: bool,
+    document: &mut Document,
+    opened: &Document,
+    state: &mut PanelState,
+) {
     let frame = Frame::new().fill(theme::PANEL).inner_margin(Margin { left: 14, ..Margin::ZERO });
-    Panel::right("panel").frame(frame).default_size(340.0).size_range(300.0..=520.0).show(
+    Panel::right("panel").frame(frame).default_size(352.0).size_range(300.0..=520.0).show(
         ui,
         |ui| {
             ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-                Frame::new()
-                    .inner_margin(Margin { right: 14, top: 6, bottom: 14, left: 0 })
-                    .show(ui, |ui| sections_ui(ui, document, opened, state));
+                Frame::new().inner_margin(Margin { right: 14, top: 6, bottom: 14, left: 0 }).show(
+                    ui,
+                    |ui| {
+                        ui.add_enabled_ui(editable, |ui| {
+                            sections_ui(ui, document, opened, state);
+                        });
+                    },
+                );
             });
         },
     );

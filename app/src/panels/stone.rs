@@ -138,7 +138,10 @@ fn proportions_ui(ui: &mut Ui, cut: &mut RoundBrilliant) {
     let sets = StandardProportions::ALL;
     let current = sets.into_iter().find(|set| set.of_diameter(diameter) == *cut);
     labelled(ui, "Proportions", tooltip, |ui, label| {
-        combo(ui, "proportions", current.map_or("Custom", StandardProportions::name), |ui| {
+        // The author is in the list; here the name alone has room.
+        let name = current.map_or("Custom", StandardProportions::name);
+        let shown = name.split_once(" (").map_or(name, |(name, _)| name);
+        combo(ui, "proportions", shown, |ui| {
             for set in sets {
                 let item = ui.selectable_label(current == Some(set), set.name());
                 if item.on_hover_text(set.source()).clicked() {

@@ -1,0 +1,67 @@
+//! What lies above the picture and the panel: dialogs, messages, the export window.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use brilliance_renderer::session::RenderRequest;
+use eframe::egui;
+
+use super::{App, files};
+use crate::export::{ExportAction, StillJob, StillOrder};
+use crate::help;
+use crate::path_dialog::{Purpose, Question};
+use crate::question;
+
+impl App {
+    /// Windows, questions and messages above the rest.
+    pub(super) fn overlays_ui(&mut self, ctx: &egui::Context) {
+        let action = self.export.show(ctx, self.viewport_size, self.editor.document.trace.bins);
+        match action {
+            Some(ExportAction::Browse(suggestion)) => {
+                self.paths.open(ctx, Question { purpose: Purpose::ExportStill, suggestion });
+            }
+            Some(ExportAction::Start(order)) => self.start_export(order, ctx),
+            None => {}
+        }
+        if let Some(page) = self.help
+            && !help::show(ctx, page)
+        {
+            self.help = None;
+        }
+        if self.files.is_asking()
+            && let Some(decision) = question::show(ctx, self.loss())
+        {
+            self.decide(decision, ctx);
+        }
+        if let Some((purpose, path)) = self.paths.show(ctx) {
+            self.take_path(purpose, path, ctx);
+        }
+        self.notices.show(ctx);
+        files::drop_target_ui(ctx, self.files.opening_name());
+    }
+
+    fn start_export(&mut self, order: StillOrder, ctx: &egui::Context) {
+        let mut document = self.document_to_save();
+        document.still = order.still;
+        let folder = order.path.parent().unwrap_or(Path::new(""));
+        let job = StillJob {
+            request: RenderRequest {
+                scene: Arc::clone(&self.scene),
+                camera: self.orbit.camera(),
+                size: order.still.size,
+                trace: document.trace.clone(),
+                pass_limit: order.still.passes,
+            },
+            display: document.display.clone(),
+            format: order.format,
+            scene_toml: document.to_toml(folder),
+            path: order.path,
+        };
+        self.export.start(job, ctx, &mut self.notices);
+    }
+
+    /// True while a question waits above everything else.
+    pub(super) fn is_modal(&self) -> bool {
+        self.help.is_some() || self.files.is_asking() || self.paths.is_open()
+    }
+}

@@ -1,0 +1,63 @@
+//! Stills are what the export window says.
+
+use std::sync::atomic::AtomicBool;
+use std::sync::{Arc, Mutex};
+
+use brilliance::app::Services;
+use brilliance::export::{StillJob, StillReport};
+use brilliance::notice::NoticeKind;
+use brilliance_renderer::scene_file::{Document, StillSettings};
+use brilliance_renderer::still::StillFormat;
+use eframe::egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable as _;
+
+use crate::window::*;
+
+#[test]
+fn export_renders_what_the_window_says() {
+    let jobs: Arc<Mutex<Vec<StillJob>>> = Arc::default();
+    let seen = Arc::clone(&jobs);
+    let render = move |job: &StillJob, _: &AtomicBool, progress: &mut dyn FnMut(u32)| {
+        progress(job.request.pass_limit);
+        seen.lock().unwrap().push(job.clone());
+        Ok(StillReport { passes: job.request.pass_limit, tracing_seconds: 1.5 })
+    };
+    let services = Services { render_still: Arc::new(render), ..services() };
+    let mut harness = harness_with(Document::default(), None, services);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::E);
+    harness.run_steps(3);
+    choose(&mut harness, "Size", "3840 × 2160, 4K");
+    choose(&mut harness, "Format", "PNG, 16 bit");
+    harness.get_by_label("Export").click();
+    wait(&mut harness, "the export", |app| !app.notices().list().is_empty());
+    let notice = &harness.state().notices().list()[0];
+    assert_eq!(notice.kind, NoticeKind::Confirmation, "{notice:?}");
+
+    let jobs = jobs.lock().unwrap();
+    let [job] = jobs.as_slice() else { panic!("{} jobs", jobs.len()) };
+    assert_eq!(job.request.size, [3840, 2160]);
+    assert_eq!(job.format, StillFormat::Png16);
+    assert_eq!(job.request.camera, harness.state().camera());
+    assert!(notice.text.contains(&job.path.display().to_string()));
+    assert_ne!(request(&harness).size, job.request.size, "the viewport keeps its own size");
+}
+
+#[test]
+fn an_exported_still_is_a_readable_png_of_the_asked_size() {
+    let folder = tempfile::tempdir().unwrap();
+    let still = StillSettings { size: [48, 32], passes: 2 };
+    let document = Document { still, ..Document::default() };
+    let file = folder.path().join("stone.toml");
+    let mut harness = harness_with(document, Some(&file), Services::default());
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::E);
+    harness.run_steps(3);
+    harness.get_by_label("Export").click();
+    wait(&mut harness, "the export", |app| !app.notices().list().is_empty());
+    let notice = &harness.state().notices().list()[0];
+    assert_eq!(notice.kind, NoticeKind::Confirmation, "{notice:?}");
+
+    let picture = image::open(folder.path().join("stone.png")).unwrap().to_rgb8();
+    assert_eq!(picture.dimensions(), (48, 32));
+    let middle = picture.get_pixel(24, 16);
+    assert_ne!(middle, picture.get_pixel(0, 0), "the stone differs from the backdrop");
+}

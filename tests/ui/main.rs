@@ -1,0 +1,7 @@
+//! The window without a window system: each control changes what it says it changes.
+
+mod export;
+mod files;
+mod panel;
+mod picture;
+mod window;
