@@ -8,7 +8,9 @@ use crate::kernel::interface::{
     refract, relative_index,
 };
 use crate::kernel::ray::{Hit, Ray};
-use crate::kernel::spread::{direction_at, perturb, spread_angle, spread_between, subray_count};
+use crate::kernel::spread::{
+    direction_at, fan_at, perturb, spread_angle, spread_between, subray_count,
+};
 use crate::kernel::trace::Walk;
 use crate::packed::{NONE, PackedScene};
 
@@ -21,7 +23,7 @@ pub fn fork_rays(walk: &mut Walk<'_>, ray: &Ray, hit: &Hit) {
     let incident = if walk.pass.perturb { *ray } else { Ray { spread: Vec3::ZERO, ..*ray } };
     let (low_nm, high_nm) = (ray.lambda_low_nm, ray.lambda_high_nm);
     let is_reflected = |lambda_nm: f32| {
-        is_totally_reflected(scene, &interface, direction_at(&incident, lambda_nm), lambda_nm)
+        is_totally_reflected(scene, &interface, fan_at(&incident, lambda_nm), lambda_nm)
     };
     match (is_reflected(low_nm), is_reflected(high_nm)) {
         (true, true) => total_reflect(walk, ray, hit, &interface),

@@ -3,7 +3,7 @@
 use glam::Vec3;
 
 use crate::kernel::ray::Ray;
-use crate::kernel::spread::direction_at;
+use crate::kernel::spread::fan_at;
 use crate::packed::{INDEX_TABLE_LEN, NONE, PackedScene};
 use crate::spectrum::LAMBDA_MIN_NM;
 
@@ -77,8 +77,8 @@ pub fn fresnel(cos_i: f32, cos_t: f32, eta: f32) -> f32 {
     (0.5 * (parallel * parallel + perpendicular * perpendicular)).clamp(0.0, 1.0)
 }
 
-/// Whether light of `lambda_nm` that arrives along the unit `direction` is totally reflected
-/// (the paper's `reflectp`).
+/// Whether light of `lambda_nm` that arrives along `direction`, of any length, is totally reflected
+/// (the paper's `reflectp`): n₁·sin θ ≥ n₂, both sides squared and times the length squared.
 #[inline]
 pub fn is_totally_reflected(
     scene: &PackedScene,
@@ -86,8 +86,12 @@ pub fn is_totally_reflected(
     direction: Vec3,
     lambda_nm: f32,
 ) -> bool {
-    let cos_i = -direction.dot(interface.normal);
-    cos_refracted_squared(cos_i, relative_index(scene, interface, lambda_nm)) <= 0.0
+    let n_from = index_of_refraction(scene, interface.medium_from, lambda_nm);
+    let n_to = index_of_refraction(scene, interface.medium_to, lambda_nm);
+    let along_normal = direction.dot(interface.normal);
+    let length_squared = direction.length_squared();
+    let sideways_squared = length_squared - along_normal * along_normal;
+    n_from * n_from * sideways_squared >= n_to * n_to * length_squared
 }
 
 /// The wavelength in the ray's interval that divides total reflection from refraction, found by
@@ -108,7 +112,7 @@ pub fn find_total_refl_wave(
     };
     for _ in 0..BISECTIONS {
         let middle_nm = 0.5 * (reflected_nm + refracted_nm);
-        if is_totally_reflected(scene, interface, direction_at(ray, middle_nm), middle_nm) {
+        if is_totally_reflected(scene, interface, fan_at(ray, middle_nm), middle_nm) {
             reflected_nm = middle_nm;
         } else {
             refracted_nm = middle_nm;

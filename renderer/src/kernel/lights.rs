@@ -18,6 +18,13 @@ pub struct Cone {
     pub sin_squared_radius: f32,
 }
 
+/// Whether the ray's fan, of half-width `spread_length`, is sure to miss the cone: the cosine
+/// changes at most as fast as the direction itself.
+#[inline]
+fn is_far_off(ray: &Ray, spread_length: f32, cone: &Cone) -> bool {
+    ray.direction.dot(cone.center) + spread_length < cone.cos_radius
+}
+
 /// The part of the ray's fan, in 0..=1, that lies within the cone (the paper's `overlap_amount`).
 ///
 /// The fan is the directions `direction + u·spread`, u in −1..=1. It is inside where
@@ -27,10 +34,6 @@ pub struct Cone {
 pub fn overlap_amount(ray: &Ray, cone: &Cone) -> f32 {
     let along = ray.direction.dot(cone.center);
     let spread_squared = ray.spread.length_squared();
-    // The cosine changes at most as fast as the direction itself.
-    if along + spread_squared.sqrt() < cone.cos_radius {
-        return 0.0;
-    }
     let off_center = ray.direction.cross(cone.center);
     let c = off_center.length_squared() - cone.sin_squared_radius;
     if spread_squared < 1e-14 {
@@ -85,8 +88,13 @@ pub fn ray_light(walk: &mut Walk<'_>, ray: &Ray) {
         deposit(walk, ray, sky.backdrop, NONE, 1.0);
         return;
     }
+    let spread_length = ray.spread.length();
     for disc in &scene.discs {
-        let amount = overlap_amount(ray, &disc_cone(disc));
+        let cone = disc_cone(disc);
+        if is_far_off(ray, spread_length, &cone) {
+            continue;
+        }
+        let amount = overlap_amount(ray, &cone);
         if amount > 0.0 {
             deposit(walk, ray, disc.spectrum, NONE, amount);
         }
@@ -98,7 +106,9 @@ pub fn ray_light(walk: &mut Walk<'_>, ray: &Ray) {
             cos_radius: sky.cos_observer_shadow,
             sin_squared_radius: sky.sin_squared_observer_shadow,
         };
-        visible -= overlap_amount(ray, &head);
+        if !is_far_off(ray, spread_length, &head) {
+            visible -= overlap_amount(ray, &head);
+        }
     }
     if sky.environment != NONE && visible > 0.0 {
         deposit(walk, ray, sky.environment, NONE, visible);

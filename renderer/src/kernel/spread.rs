@@ -7,18 +7,23 @@ use crate::kernel::ray::Ray;
 /// Most sub-rays that one interface makes of one ray.
 pub const MAX_SUBRAYS: u32 = 64;
 
+/// Direction of `ray` at `lambda_nm` within its interval, of a length of about 1.
+#[inline]
+pub fn fan_at(ray: &Ray, lambda_nm: f32) -> Vec3 {
+    ray.direction + ray.spread * interval_position(ray, lambda_nm)
+}
+
 /// Unit direction of `ray` at `lambda_nm` within its interval (the paper's `perturb(ray, λ, λ)`).
 #[inline]
 pub fn direction_at(ray: &Ray, lambda_nm: f32) -> Vec3 {
-    (ray.direction + ray.spread * interval_position(ray, lambda_nm)).normalize_or_zero()
+    fan_at(ray, lambda_nm).normalize_or_zero()
 }
 
 /// The part of `ray` between two wavelengths of its interval, with the direction and spread of
 /// that part (Thomas 1986, `perturb`; Fig. 4).
 #[inline]
 pub fn perturb(ray: &Ray, low_nm: f32, high_nm: f32) -> Ray {
-    let low = ray.direction + ray.spread * interval_position(ray, low_nm);
-    let high = ray.direction + ray.spread * interval_position(ray, high_nm);
+    let (low, high) = (fan_at(ray, low_nm), fan_at(ray, high_nm));
     Ray {
         lambda_low_nm: low_nm,
         lambda_high_nm: high_nm,
