@@ -202,8 +202,8 @@ fn scene_linear_rgb_is_neither_exposed_nor_bounded() {
 #[test]
 fn black_middle_grey_and_white_have_their_codes() {
     let greys = [0.0, 0.18, 1.0].map(Spectrum::Flat);
-    let grey = XyzImage::from_film(&film_of(&greys, Bins::new(16), 1));
-    let shown = grey.develop(&settings(WhitePoint::EqualEnergy, ToneCurve::Linear));
+    let gray = XyzImage::from_film(&film_of(&greys, Bins::new(16), 1));
+    let shown = gray.develop(&settings(WhitePoint::EqualEnergy, ToneCurve::Linear));
     assert_eq!(shown.to_rgba8_srgb(), [0, 0, 0, 255, 118, 118, 118, 255, 255, 255, 255, 255]);
     let rgb16 = shown.to_rgb16_srgb();
     assert_eq!(rgb16[..3], [0; 3]);

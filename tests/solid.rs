@@ -10,16 +10,16 @@ fn plane(name: &str, normal: DVec3, distance: f64) -> HalfSpace {
 }
 
 /// The cube of half side 1 about `centre`.
-fn cube(centre: DVec3) -> Vec<HalfSpace> {
+fn cube(center: DVec3) -> Vec<HalfSpace> {
     [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y, DVec3::Z, DVec3::NEG_Z]
         .into_iter()
         .enumerate()
-        .map(|(i, n)| plane(&format!("side {i}"), n, 1.0 + n.dot(centre)))
+        .map(|(i, n)| plane(&format!("side {i}"), n, 1.0 + n.dot(center)))
         .collect()
 }
 
 /// Planes that touch the sphere of radius `radius` about `centre`, spread evenly (golden spiral).
-fn sphere(count: usize, radius: f64, centre: DVec3) -> Vec<HalfSpace> {
+fn sphere(count: usize, radius: f64, center: DVec3) -> Vec<HalfSpace> {
     let golden = std::f64::consts::PI * (3.0 - 5.0_f64.sqrt());
     (0..count)
         .map(|i| {
@@ -27,7 +27,7 @@ fn sphere(count: usize, radius: f64, centre: DVec3) -> Vec<HalfSpace> {
             let (sin, cos) = (golden * i as f64).sin_cos();
             let r = (1.0 - z * z).sqrt();
             let normal = DVec3::new(r * cos, r * sin, z);
-            plane(&format!("facet {i}"), normal, radius + normal.dot(centre))
+            plane(&format!("facet {i}"), normal, radius + normal.dot(center))
         })
         .collect()
 }
@@ -48,8 +48,8 @@ fn assert_outward(solid: &Solid) {
 
 #[test]
 fn cube_is_measured_wherever_it_stands() {
-    for centre in [DVec3::ZERO, DVec3::new(7.0, -3.0, 5.0)] {
-        let solid = Solid::from_half_spaces(&cube(centre)).unwrap();
+    for center in [DVec3::ZERO, DVec3::new(7.0, -3.0, 5.0)] {
+        let solid = Solid::from_half_spaces(&cube(center)).unwrap();
         assert_eq!((solid.vertices.len(), solid.facets.len(), solid.edges().count()), (8, 6, 12));
         assert!((solid.volume() - 8.0).abs() < 1e-10);
         assert!((solid.area() - 24.0).abs() < 1e-10);

@@ -5,7 +5,7 @@ use brilliance_renderer::spectrum::{Bins, Illuminant, Observer, Spectrum};
 use glam::{DVec2, DVec3};
 
 fn luminance_of_flat(bins: Bins) -> f64 {
-    Observer::colour_matching(bins).iter().map(|weight| f64::from(weight[1])).sum()
+    Observer::color_matching(bins).iter().map(|weight| f64::from(weight[1])).sum()
 }
 
 #[test]
@@ -27,8 +27,8 @@ fn the_equal_energy_white_is_a_third_each() {
 
 #[test]
 fn fine_bins_add_up_to_coarse_ones() {
-    let coarse = Observer::colour_matching(Bins::new(4));
-    let fine = Observer::colour_matching(Bins::new(64));
+    let coarse = Observer::color_matching(Bins::new(4));
+    let fine = Observer::color_matching(Bins::new(64));
     for (whole, parts) in coarse.iter().zip(fine.chunks_exact(16)) {
         for i in 0..3 {
             let sum: f32 = parts.iter().map(|part| part[i]).sum();
@@ -101,8 +101,8 @@ fn bin_means_are_exact_for_straight_lines() {
     for count in [4, 16, 23, 64] {
         let bins = Bins::new(count);
         for (index, mean) in ramp.bin_means(bins).into_iter().enumerate() {
-            let centre = (bins.centre_nm(index) - 380.0) / 350.0;
-            assert!((f64::from(mean) - centre).abs() < 1e-7, "{count} bins, bin {index}");
+            let center = (bins.center_nm(index) - 380.0) / 350.0;
+            assert!((f64::from(mean) - center).abs() < 1e-7, "{count} bins, bin {index}");
         }
     }
 }

@@ -8,13 +8,13 @@ use glam::Vec3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
     /// Centre, in millimetres.
-    pub centre: Vec3,
+    pub center: Vec3,
     /// Radius, in millimetres; positive.
     pub radius: f32,
 }
 
 /// Room for a scene without objects: that of a one-carat diamond.
-const EMPTY: Bounds = Bounds { centre: Vec3::ZERO, radius: 3.5 };
+const EMPTY: Bounds = Bounds { center: Vec3::ZERO, radius: 3.5 };
 
 impl Bounds {
     /// The ball about all objects of `scene`; not the smallest one, but never too small.
@@ -24,7 +24,7 @@ impl Bounds {
 
     /// The smallest ball that holds both.
     fn joined(self, other: Self) -> Self {
-        let offset = other.centre - self.centre;
+        let offset = other.center - self.center;
         let distance = offset.length();
         if distance + other.radius <= self.radius {
             return self;
@@ -33,15 +33,15 @@ impl Bounds {
             return other;
         }
         let radius = 0.5 * (distance + self.radius + other.radius);
-        let centre = self.centre + offset * ((radius - self.radius) / distance);
-        Self { centre, radius }
+        let center = self.center + offset * ((radius - self.radius) / distance);
+        Self { center, radius }
     }
 }
 
 fn object(object: &Object) -> Bounds {
     let own = shape(&object.shape);
     Bounds {
-        centre: object.transform.point(own.centre),
+        center: object.transform.point(own.center),
         radius: (own.radius * object.transform.scale).max(1e-3),
     }
 }
@@ -49,7 +49,7 @@ fn object(object: &Object) -> Bounds {
 fn shape(shape: &Shape) -> Bounds {
     match shape {
         // Crown, girdle and pavilion together are lower than the stone is wide.
-        Shape::RoundBrilliant(cut) => Bounds { centre: Vec3::ZERO, radius: 0.55 * cut.diameter_mm },
+        Shape::RoundBrilliant(cut) => Bounds { center: Vec3::ZERO, radius: 0.55 * cut.diameter_mm },
         Shape::Polyhedron(facets) => match Solid::from_half_spaces(facets) {
             Ok(solid) => ball(solid.bounds().0.as_vec3(), solid.bounds().1.as_vec3()),
             // The session says what is wrong with it.
@@ -67,7 +67,7 @@ fn ball(low: Vec3, high: Vec3) -> Bounds {
     if !(low.is_finite() && high.is_finite()) {
         return EMPTY;
     }
-    Bounds { centre: 0.5 * (low + high), radius: 0.5 * (high - low).length() }
+    Bounds { center: 0.5 * (low + high), radius: 0.5 * (high - low).length() }
 }
 
 #[cfg(test)]
@@ -76,11 +76,11 @@ mod tests {
 
     #[test]
     fn joined_balls_hold_both() {
-        let a = Bounds { centre: Vec3::ZERO, radius: 1.0 };
-        let b = Bounds { centre: Vec3::new(4.0, 0.0, 0.0), radius: 2.0 };
+        let a = Bounds { center: Vec3::ZERO, radius: 1.0 };
+        let b = Bounds { center: Vec3::new(4.0, 0.0, 0.0), radius: 2.0 };
         let both = a.joined(b);
-        assert_eq!(both, Bounds { centre: Vec3::new(2.5, 0.0, 0.0), radius: 3.5 });
-        let inside = Bounds { centre: Vec3::new(2.0, 0.5, 0.0), radius: 0.1 };
+        assert_eq!(both, Bounds { center: Vec3::new(2.5, 0.0, 0.0), radius: 3.5 });
+        let inside = Bounds { center: Vec3::new(2.0, 0.5, 0.0), radius: 0.1 };
         assert_eq!(both.joined(inside), both);
         assert_eq!(inside.joined(both), both);
     }

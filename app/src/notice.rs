@@ -112,11 +112,11 @@ impl Notice {
 
 /// True when the notice was dismissed.
 fn notice_ui(ui: &mut Ui, notice: &Notice) -> bool {
-    let colour = match notice.kind {
+    let color = match notice.kind {
         NoticeKind::Confirmation => theme::ACCENT,
         NoticeKind::Error => theme::ERROR,
     };
-    let frame = Frame::popup(ui.style()).stroke(Stroke::new(1.0, colour)).inner_margin(12);
+    let frame = Frame::popup(ui.style()).stroke(Stroke::new(1.0, color)).inner_margin(12);
     frame
         .show(ui, |ui| {
             ui.set_width(380.0);

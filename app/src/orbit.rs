@@ -93,8 +93,8 @@ impl Orbit {
         let (right, up) = self.picture_axes();
         let per_point = 2.0 * self.half_height() / height.max(1.0);
         self.target += (up * delta[1] - right * delta[0]) * per_point;
-        let from_centre = self.target - bounds.centre;
-        self.target = bounds.centre + from_centre.clamp_length_max(FARTHEST_TARGET * bounds.radius);
+        let from_center = self.target - bounds.center;
+        self.target = bounds.center + from_center.clamp_length_max(FARTHEST_TARGET * bounds.radius);
         self.keep_outside(bounds);
     }
 
@@ -123,7 +123,7 @@ impl Orbit {
         };
         self.azimuth_radians = -FRAC_PI_2;
         self.roll_radians = 0.0;
-        self.target = bounds.centre;
+        self.target = bounds.center;
         self.keep_outside(bounds);
     }
 
@@ -159,10 +159,10 @@ impl Orbit {
     /// Backs the eye away along its line of sight until it is outside `bounds`.
     fn keep_outside(&mut self, bounds: &Bounds) {
         let radius = bounds.radius * CLEARANCE;
-        let from_centre = self.target - bounds.centre;
+        let from_center = self.target - bounds.center;
         // The far crossing of the line target + t · direction with the sphere.
-        let along = from_centre.dot(self.direction());
-        let discriminant = along * along - from_centre.length_squared() + radius * radius;
+        let along = from_center.dot(self.direction());
+        let discriminant = along * along - from_center.length_squared() + radius * radius;
         let exit = if discriminant > 0.0 { discriminant.sqrt() - along } else { 0.0 };
         let nearest = exit.max(0.01 * radius);
         self.distance = self.distance.clamp(nearest, nearest.max(FARTHEST_EYE * radius));
@@ -173,7 +173,7 @@ impl Orbit {
 mod tests {
     use super::*;
 
-    const BOUNDS: Bounds = Bounds { centre: Vec3::new(0.5, -0.25, 1.0), radius: 4.0 };
+    const BOUNDS: Bounds = Bounds { center: Vec3::new(0.5, -0.25, 1.0), radius: 4.0 };
 
     fn default_orbit() -> Orbit {
         Orbit::from_camera(&Camera::default())
@@ -249,7 +249,7 @@ mod tests {
         let mut orbit = default_orbit();
         let outside = |orbit: &Orbit| {
             let eye = orbit.camera().position;
-            assert!((eye - BOUNDS.centre).length() >= BOUNDS.radius * 1.01, "eye at {eye}");
+            assert!((eye - BOUNDS.center).length() >= BOUNDS.radius * 1.01, "eye at {eye}");
         };
         for step in 0..200 {
             let sway = (step as f32 * 0.7).sin();

@@ -64,7 +64,7 @@ fn progress_ui(ui: &mut Ui, progress: &Progress) {
 }
 
 fn activity_ui(ui: &mut Ui, activity: Activity) {
-    let (text, colour, tooltip) = match activity {
+    let (text, color, tooltip) = match activity {
         Activity::Idle => ("Idle", theme::TEXT_WEAK, "There is nothing to trace."),
         Activity::Preview => ("Preview", theme::WARNING, "A coarser picture while things change."),
         Activity::Accumulating => {
@@ -73,13 +73,13 @@ fn activity_ui(ui: &mut Ui, activity: Activity) {
         Activity::Done => ("Finished", theme::TEXT, "All passes asked for are in the picture."),
         Activity::Failed => ("Failed", theme::ERROR, "The scene could not be traced."),
     };
-    dot(ui, colour);
+    dot(ui, color);
     item(ui, text, tooltip);
 }
 
-fn dot(ui: &mut Ui, colour: Color32) {
+fn dot(ui: &mut Ui, color: Color32) {
     let (rect, _) = ui.allocate_exact_size(vec2(8.0, 8.0), Sense::hover());
-    ui.painter().circle_filled(rect.center(), 3.5, colour);
+    ui.painter().circle_filled(rect.center(), 3.5, color);
 }
 
 /// The energy ledger, each account in percent of what entered.

@@ -153,8 +153,8 @@ fn steer(ui: &Ui, response: &Response, orbit: &mut Orbit, bounds: &Bounds) {
 
 /// What is seen before there is a picture.
 fn empty_ui(painter: &Painter, room: Rect, progress: &Progress) {
-    let centre = room.center();
-    outline(painter, centre - vec2(0.0, 40.0), 44.0);
+    let center = room.center();
+    outline(painter, center - vec2(0.0, 40.0), 44.0);
     let (title, hint) = match progress.activity {
         Activity::Idle | Activity::Done => {
             ("Nothing to show yet", "Open a scene or a glTF file, or drop one here")
@@ -162,9 +162,9 @@ fn empty_ui(painter: &Painter, room: Rect, progress: &Progress) {
         Activity::Preview | Activity::Accumulating => ("Tracing the first picture\u{2026}", ""),
         Activity::Failed => ("This scene can't be traced", ""),
     };
-    let title_at = centre + vec2(0.0, 36.0);
+    let title_at = center + vec2(0.0, 36.0);
     painter.text(title_at, Align2::CENTER_CENTER, title, FontId::proportional(15.0), theme::TEXT);
-    let hint_at = centre + vec2(0.0, 60.0);
+    let hint_at = center + vec2(0.0, 60.0);
     painter.text(
         hint_at,
         Align2::CENTER_CENTER,
@@ -175,8 +175,8 @@ fn empty_ui(painter: &Painter, room: Rect, progress: &Progress) {
 }
 
 /// The profile of a brilliant, in thin lines.
-fn outline(painter: &Painter, centre: Pos2, half_width: f32) {
-    let at = |x: f32, y: f32| centre + vec2(x, y) * half_width;
+fn outline(painter: &Painter, center: Pos2, half_width: f32) {
+    let at = |x: f32, y: f32| center + vec2(x, y) * half_width;
     let stroke = Stroke::new(1.2, theme::TEXT_WEAK);
     let silhouette =
         vec![at(-0.56, -0.5), at(0.56, -0.5), at(1.0, -0.2), at(0.0, 0.72), at(-1.0, -0.2)];

@@ -3,6 +3,7 @@
 mod clumping;
 mod determinism;
 mod energy;
+mod film;
 mod interface;
 mod intersection;
 mod lights;

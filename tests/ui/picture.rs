@@ -41,8 +41,8 @@ fn the_mouse_turns_moves_and_zooms_the_stone() {
         |camera: &brilliance_renderer::camera::Camera| (camera.position - camera.target).length();
     assert!(distance(&harness.state().camera()) < 0.9 * distance(&turned));
 
-    let centre = picture_centre(&harness);
-    double_click(&mut harness, centre);
+    let center = picture_centre(&harness);
+    double_click(&mut harness, center);
     assert!(harness.state().camera().position.abs_diff_eq(start.position, 1e-4));
     assert!(!harness.state().title().contains('\u{2022}'), "the camera is no edit");
 }

@@ -39,14 +39,14 @@ impl Lab {
         // Differences (8–11).
         let delta_l = other.l - self.l;
         let delta_chroma = chroma2 - chroma1;
-        let grey = chroma1 * chroma2 == 0.0;
-        let delta_hue = if grey { 0.0 } else { wrapped(hue2 - hue1) };
+        let gray = chroma1 * chroma2 == 0.0;
+        let delta_hue = if gray { 0.0 } else { wrapped(hue2 - hue1) };
         let delta_h = 2.0 * (chroma1 * chroma2).sqrt() * (0.5 * delta_hue).to_radians().sin();
 
         // Means (12–14).
         let l = 0.5 * (self.l + other.l);
         let chroma = 0.5 * (chroma1 + chroma2);
-        let hue = if grey { hue1 + hue2 } else { mean_hue(hue1, hue2) };
+        let hue = if gray { hue1 + hue2 } else { mean_hue(hue1, hue2) };
 
         // Weights (15–21).
         let cos = |degrees: f64| degrees.to_radians().cos();

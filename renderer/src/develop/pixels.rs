@@ -63,12 +63,12 @@ impl Development {
     fn develop(&self, xyz: [f32x8; 3]) -> [f32x8; 3] {
         let y = dot(self.luminance_from_xyz, xyz);
         let rgb = self.rgb_from_xyz.map(|row| dot(row, xyz));
-        let is_colour = y.simd_gt(f32x8::ZERO) & (rgb[0] + rgb[1] + rgb[2]).is_finite();
+        let is_color = y.simd_gt(f32x8::ZERO) & (rgb[0] + rgb[1] + rgb[2]).is_finite();
         let gain = self.tone_curve.gain(y);
         let rgb = rgb.map(|channel| channel * gain);
         let shown =
             if self.gamut_mapping { gamut::desaturate(rgb, y * gain) } else { gamut::clip(rgb) };
-        shown.map(|channel| channel & is_colour)
+        shown.map(|channel| channel & is_color)
     }
 }
 

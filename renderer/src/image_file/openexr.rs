@@ -35,7 +35,7 @@ pub(super) fn write(
     if let Some((bins, means)) = spectral {
         for index in 0..bins.count() {
             let samples = means.iter().skip(index).step_by(bins.count()).copied().collect();
-            let name = utf8(&channel_name(bins.centre_nm(index)));
+            let name = utf8(&channel_name(bins.center_nm(index)));
             channels.push(AnyChannel::new(name, FlatSamples::F32(samples)));
         }
         for (name, text) in [("spectralLayoutVersion", "1.0"), ("emissiveUnits", "W.m^-2.sr^-1")] {

@@ -41,7 +41,7 @@ fn objects(path: &Path, gltf: &GltfScene) -> Vec<Object> {
 fn framing(gltf: &GltfScene, camera: Camera) -> Camera {
     let bounds =
         Bounds::of(gltf.objects.iter().flat_map(|object| object.mesh.positions.iter().copied()));
-    let radius = 0.5 * (bounds.max - bounds.min).length();
+    let radius = 0.5 * (bounds.max - bounds.min).max_element();
     if !radius.is_finite() || radius <= 0.0 {
         return camera;
     }

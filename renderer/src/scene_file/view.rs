@@ -19,7 +19,7 @@ pub(super) struct GroundEntry {
     height_mm: f32,
     #[serde(default = "five")]
     square_mm: f32,
-    #[serde(default = "white_and_grey")]
+    #[serde(default = "white_and_gray")]
     reflectance: [SpectrumEntry; 2],
 }
 
@@ -27,7 +27,7 @@ fn five() -> f32 {
     5.0
 }
 
-fn white_and_grey() -> [SpectrumEntry; 2] {
+fn white_and_gray() -> [SpectrumEntry; 2] {
     [SpectrumEntry::Flat(0.8), SpectrumEntry::Flat(0.3)]
 }
 

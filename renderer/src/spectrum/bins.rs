@@ -30,7 +30,7 @@ impl Bins {
     }
 
     /// Wavelength in the middle of bin `index`, in nm.
-    pub fn centre_nm(self, index: usize) -> f64 {
+    pub fn center_nm(self, index: usize) -> f64 {
         0.5 * (self.edge_nm(index) + self.edge_nm(index + 1))
     }
 

@@ -47,7 +47,7 @@ static KNOTS: LazyLock<Vec<(f64, DVec3)>> = LazyLock::new(|| {
 impl Observer {
     /// X, Y and Z of radiance 1 in each bin: the colour-matching functions integrated over the
     /// bin.
-    pub fn colour_matching(bins: Bins) -> Vec<[f32; 3]> {
+    pub fn color_matching(bins: Bins) -> Vec<[f32; 3]> {
         Self::bin_weights(bins).into_iter().map(|weight| weight.as_vec3().to_array()).collect()
     }
 
@@ -63,7 +63,7 @@ impl Observer {
         Self::bin_weights(bins).into_iter().zip(means).map(|(w, mean)| w * f64::from(mean)).sum()
     }
 
-    /// [`colour_matching`](Self::colour_matching) before rounding.
+    /// [`color_matching`](Self::color_matching) before rounding.
     pub(crate) fn bin_weights(bins: Bins) -> Vec<DVec3> {
         bins.ranges_nm()
             .map(|(low, high)| {

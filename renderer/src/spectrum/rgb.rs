@@ -70,8 +70,8 @@ fn sigmoid(x: f64) -> (f64, f64) {
 /// Gauss–Newton steps, damped after Marquardt (1963) where a full step would not bring the colour
 /// nearer, from the grey of equal luminance.
 fn solve(target: DVec3) -> DVec3 {
-    let grey = 2.0 * color::luminance(target).clamp(1e-4, 1.0 - 1e-4) - 1.0;
-    let mut coefficients = DVec3::new(grey / (1.0 - grey * grey).sqrt(), 0.0, 0.0);
+    let gray = 2.0 * color::luminance(target).clamp(1e-4, 1.0 - 1e-4) - 1.0;
+    let mut coefficients = DVec3::new(gray / (1.0 - gray * gray).sqrt(), 0.0, 0.0);
     let (mut error, mut jacobian) = residual(coefficients, target);
     let mut damping = 1e-3;
     for _ in 0..MAX_ITERATIONS {

@@ -14,7 +14,7 @@ use crate::camera::Camera;
 pub(super) fn cameras(
     root: &json::Root,
     worlds: &[Option<DMat4>],
-    centre: DVec3,
+    center: DVec3,
 ) -> Result<Vec<Camera>, String> {
     let mut cameras = Vec::new();
     for (index, (node, world)) in root.nodes.iter().zip(worlds).enumerate() {
@@ -38,7 +38,7 @@ pub(super) fn cameras(
         let (Some(forward), Some(up)) = (forward, up) else {
             return Err(format!("camera of node {index}: its scale is 0; reset it"));
         };
-        let depth = (centre - position).dot(forward);
+        let depth = (center - position).dot(forward);
         let depth = if depth > 0.0 { depth } else { 1.0 };
         cameras.push(Camera {
             position: position.as_vec3(),

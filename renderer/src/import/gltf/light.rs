@@ -20,7 +20,7 @@ const ANGULAR_RADIUS_RADIANS: f64 = 16.0 / 60.0 * PI / 180.0;
 pub(super) fn lights(
     root: &json::Root,
     worlds: &[Option<DMat4>],
-    centre: DVec3,
+    center: DVec3,
 ) -> Result<Vec<DiscLight>, String> {
     let mut discs = Vec::new();
     for (index, (node, world)) in root.nodes.iter().zip(worlds).enumerate() {
@@ -31,7 +31,7 @@ pub(super) fn lights(
         })?;
         let name = light.name.clone().or_else(|| node.name.clone());
         let name = name.unwrap_or_else(|| format!("light {}", discs.len() + 1));
-        let disc = disc(name, light, *world, centre)
+        let disc = disc(name, light, *world, center)
             .map_err(|fault| format!("light of node {index}: {fault}"))?;
         discs.extend(disc);
     }
@@ -42,7 +42,7 @@ fn disc(
     name: String,
     light: &Light,
     world: DMat4,
-    centre: DVec3,
+    center: DVec3,
 ) -> Result<Option<DiscLight>, String> {
     let Checked::Valid(kind) = light.type_ else {
         return Err("its type is unknown; choose directional, point or spot".to_owned());
@@ -53,7 +53,7 @@ fn disc(
         return Err("its colour or intensity is not a finite positive number".to_owned());
     }
     let axis = world.transform_vector3(DVec3::NEG_Z).normalize_or_zero();
-    let from_light = centre - world.transform_point3(DVec3::ZERO);
+    let from_light = center - world.transform_point3(DVec3::ZERO);
     let (towards, reach) = match kind {
         Type::Directional => (-axis, 1.0),
         Type::Point => (-from_light.normalize_or_zero(), from_light.length_squared().recip()),

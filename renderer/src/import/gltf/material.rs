@@ -39,7 +39,7 @@ pub(super) fn material(root: &json::Root, index: Option<usize>) -> Result<Materi
             log::warn!("material '{name}': its texture is ignored, only its base colour is shown");
         }
         let [r, g, b, _] = material.pbr_metallic_roughness.base_color_factor.0;
-        return colour([r, g, b]).map(diffuse).map_err(place);
+        return color([r, g, b]).map(diffuse).map_err(place);
     }
     let ior = extensions.and_then(|all| all.ior.as_ref()).map_or(DEFAULT_IOR, |ior| ior.ior.0);
     let strength = extensions
@@ -50,19 +50,19 @@ pub(super) fn material(root: &json::Root, index: Option<usize>) -> Result<Materi
     let absorption_per_mm = match volume {
         None => None,
         Some(volume) => {
-            let colour = colour(volume.attenuation_color.0).map_err(place)?;
-            absorption(colour, volume.attenuation_distance.0).map_err(place)?
+            let color = color(volume.attenuation_color.0).map_err(place)?;
+            absorption(color, volume.attenuation_distance.0).map_err(place)?
         }
     };
     let dispersion = dispersion(f64::from(ior), strength).map_err(place)?;
     Ok(Material::Dielectric(Dielectric { name, dispersion, absorption_per_mm }))
 }
 
-fn diffuse(colour: [f32; 3]) -> Material {
-    Material::Diffuse(Diffuse { reflectance: Spectrum::Rgb(colour) })
+fn diffuse(color: [f32; 3]) -> Material {
+    Material::Diffuse(Diffuse { reflectance: Spectrum::Rgb(color) })
 }
 
-fn colour(rgb: [f32; 3]) -> Result<[f32; 3], String> {
+fn color(rgb: [f32; 3]) -> Result<[f32; 3], String> {
     if rgb.iter().all(|channel| (0.0..=1.0).contains(channel)) {
         Ok(rgb)
     } else {
@@ -95,7 +95,7 @@ fn dispersion(ior: f64, strength: f64) -> Result<Dispersion, String> {
 /// α(λ) = −ln T(λ)/distance (Beer–Lambert, `KHR_materials_volume`), per millimetre, where T is the
 /// smooth transmittance that has the attenuation colour: white light is left with exactly that
 /// colour after the attenuation distance.
-fn absorption(colour: [f32; 3], distance: f32) -> Result<Option<Spectrum>, String> {
+fn absorption(color: [f32; 3], distance: f32) -> Result<Option<Spectrum>, String> {
     /// Least transmittance told from black, whose logarithm is infinite.
     const BLACK: f32 = 1e-4;
     if distance.is_nan() || distance <= 0.0 {
@@ -103,14 +103,14 @@ fn absorption(colour: [f32; 3], distance: f32) -> Result<Option<Spectrum>, Strin
             "the attenuation distance {distance} is impossible; choose one above 0"
         ));
     }
-    if colour == [1.0; 3] || distance.is_infinite() {
+    if color == [1.0; 3] || distance.is_infinite() {
         return Ok(None);
     }
     // Every 5 nm, where a smooth spectrum is as good as straight lines.
     let samples = Bins::new(70);
-    let transmittance = Spectrum::Rgb(colour).bin_means(samples);
+    let transmittance = Spectrum::Rgb(color).bin_means(samples);
     Ok(Some(Spectrum::Tabulated {
-        lambda_nm: (0..samples.count()).map(|i| samples.centre_nm(i) as f32).collect(),
+        lambda_nm: (0..samples.count()).map(|i| samples.center_nm(i) as f32).collect(),
         value: transmittance.iter().map(|t| -t.clamp(BLACK, 1.0).ln() / distance).collect(),
     }))
 }

@@ -91,10 +91,10 @@ fn read(file: &[u8], folder: &Path) -> Result<GltfScene, String> {
     if objects.is_empty() {
         return Err("its scene has no mesh; export the stone with its triangles".to_owned());
     }
-    let centre = centre(&objects);
+    let center = center(&objects);
     Ok(GltfScene {
-        lights: light::lights(&root, &worlds, centre)?,
-        cameras: camera::cameras(&root, &worlds, centre)?,
+        lights: light::lights(&root, &worlds, center)?,
+        cameras: camera::cameras(&root, &worlds, center)?,
         objects,
     })
 }
@@ -182,7 +182,7 @@ fn object(
 }
 
 /// The middle of everything, where lights at a finite distance are measured from.
-fn centre(objects: &[GltfObject]) -> DVec3 {
+fn center(objects: &[GltfObject]) -> DVec3 {
     let (low, high) = objects
         .iter()
         .map(|object| object.mesh.bounds())
