@@ -1,14 +1,17 @@
 //! Stills are what the export window says.
 
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
+use std::time::Duration;
 
 use brilliance::app::Services;
 use brilliance::export::{StillJob, StillReport};
 use brilliance::notice::NoticeKind;
+use brilliance_renderer::error::RendererError;
 use brilliance_renderer::scene_file::{Document, StillSettings};
 use brilliance_renderer::still::StillFormat;
-use eframe::egui::{Key, Modifiers};
+use eframe::App as _;
+use eframe::egui::{Key, Modifiers, ViewportEvent, ViewportId};
 use egui_kittest::kittest::Queryable as _;
 
 use crate::window::*;
@@ -60,4 +63,30 @@ fn an_exported_still_is_a_readable_png_of_the_asked_size() {
     assert_eq!(picture.dimensions(), (48, 32));
     let middle = picture.get_pixel(24, 16);
     assert_ne!(middle, picture.get_pixel(0, 0), "the stone differs from the backdrop");
+}
+
+#[test]
+fn leaving_while_a_still_is_rendered_is_asked_about() {
+    let render = |_: &StillJob, cancel: &AtomicBool, _: &mut dyn FnMut(u32)| {
+        while !cancel.load(Ordering::Relaxed) {
+            std::thread::sleep(Duration::from_millis(2));
+        }
+        Err(RendererError::Cancelled)
+    };
+    let services = Services { render_still: Arc::new(render), ..services() };
+    let mut harness = harness_with(Document::default(), None, services);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::E);
+    harness.run_steps(3);
+    harness.get_by_label("Export").click();
+    harness.run_steps(3);
+
+    let window = harness.input_mut().viewports.entry(ViewportId::ROOT).or_default();
+    window.events.push(ViewportEvent::Close);
+    harness.run_steps(3);
+    harness.get_by_label("Stop the export?");
+    harness.get_by_label("Stop and quit").click();
+    wait(&mut harness, "the end of the question", |app| !app.asks_about_changes());
+    harness.state_mut().on_exit();
+    wait(&mut harness, "the cancellation", |app| !app.notices().list().is_empty());
+    assert_eq!(harness.state().notices().list()[0].title, "Export cancelled");
 }
