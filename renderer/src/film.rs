@@ -15,6 +15,14 @@ pub struct Film {
 }
 
 impl Film {
+    /// Largest film of a still in bytes: 8192×8192 pixels of 16 bins.
+    pub const MAX_BYTES: u64 = 4 << 30;
+
+    /// Memory that a film of this size needs.
+    pub fn bytes([width, height]: [u32; 2], bins: u32) -> u64 {
+        u64::from(width) * u64::from(height) * u64::from(bins) * size_of::<f32>() as u64
+    }
+
     /// An empty film.
     pub fn new(width: u32, height: u32, bins: Bins) -> Self {
         let sums = vec![0.0; width as usize * height as usize * bins.count()];

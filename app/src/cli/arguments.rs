@@ -22,7 +22,7 @@ const MAX_THREADS: u64 = 1024;
 #[derive(Debug, Parser)]
 #[command(version, about, args_conflicts_with_subcommands = true)]
 pub(super) struct Arguments {
-    /// Scene (.toml) or mesh (.gltf, .glb) to show; a round brilliant diamond without one
+    /// Scene (.toml), mesh (.gltf, .glb) or still (.png, .exr) to show; a diamond without one
     pub(super) file: Option<PathBuf>,
     /// What to do instead of opening the window
     #[command(subcommand)]
@@ -39,7 +39,7 @@ pub(super) enum Command {
 /// A picture to render.
 #[derive(Args, Debug)]
 pub(super) struct RenderArguments {
-    /// Scene (.toml) or mesh (.gltf, .glb)
+    /// Scene (.toml), mesh (.gltf, .glb) or a still made before (.png, .exr)
     pub(super) scene: PathBuf,
 
     /// Picture to write: .png (developed, sRGB) or .exr (linear Rec. 709 radiance)
@@ -117,6 +117,12 @@ impl RenderArguments {
     }
 
     fn check_files(&self) -> Result<(), String> {
+        if same_file(&self.output, &self.scene) {
+            return Err(format!(
+                "-o {} would overwrite the scene; give the picture another name",
+                self.output.display()
+            ));
+        }
         let Some(stats) = &self.stats else { return Ok(()) };
         for (path, what) in [(&self.output, "the picture"), (&self.scene, "the scene")] {
             if same_file(stats, path) {

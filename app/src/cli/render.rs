@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::{anyhow, ensure};
 use brilliance_renderer::error::RendererError;
+use brilliance_renderer::film::Film;
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::session::RenderRequest;
 use brilliance_renderer::still::{Still, StillLimits};
@@ -14,9 +15,6 @@ use brilliance_renderer::whole_file;
 use super::arguments::RenderArguments;
 use super::progress::Progress;
 use super::report::Report;
-
-/// Largest film in bytes: 8192×8192 pixels of 16 bins.
-const MAX_FILM_BYTES: u64 = 4 << 30;
 
 /// What [`StillLimits::threads`] takes for one thread per processor.
 const ALL_THREADS: usize = 0;
@@ -91,13 +89,13 @@ fn cancelled_by_ctrl_c() -> anyhow::Result<Arc<AtomicBool>> {
 fn check_film(document: &Document) -> anyhow::Result<()> {
     let [width, height] = document.still.size;
     let bins = document.trace.bins;
-    let bytes = u64::from(width) * u64::from(height) * u64::from(bins) * size_of::<f32>() as u64;
+    let bytes = Film::bytes(document.still.size, bins);
     ensure!(
-        bytes <= MAX_FILM_BYTES,
+        bytes <= Film::MAX_BYTES,
         "{width}x{height} pixels with {bins} spectral bins need {:.1} GiB, more than the {} GiB \
          a film may take; ask for a smaller --size or fewer --bins",
         bytes as f64 / f64::from(1 << 30),
-        MAX_FILM_BYTES >> 30,
+        Film::MAX_BYTES >> 30,
     );
     Ok(())
 }

@@ -80,10 +80,15 @@ impl Form {
         PathBuf::from(self.path.trim())
     }
 
-    /// Bytes of the film with `bins` spectral bins.
-    pub(super) fn film_bytes(&self, bins: u32) -> u64 {
+    /// Width and height in pixels.
+    pub(super) fn size(&self) -> [u32; 2] {
+        self.still.size
+    }
+
+    /// Whether the scene inside the still will be one that the program accepts.
+    pub(super) fn can_be_opened_again(&self) -> bool {
         let [width, height] = self.still.size.map(u64::from);
-        width * height * u64::from(bins) * size_of::<f32>() as u64
+        width * height <= StillSettings::MAX_PIXELS
     }
 
     /// Looks whether the file exists.

@@ -6,6 +6,7 @@ mod job;
 use std::path::{Path, PathBuf};
 
 use brilliance_renderer::error::RendererError;
+use brilliance_renderer::film::Film;
 use brilliance_renderer::scene_file::StillSettings;
 use brilliance_renderer::still::StillFormat;
 use eframe::egui::{self, ProgressBar, RichText, Ui, Window};
@@ -21,9 +22,6 @@ use crate::task::TaskState;
 use crate::theme;
 
 const FAILED: &str = "Export failed";
-
-/// Largest film of a still, in bytes.
-const LARGEST_FILM: u64 = 8 << 30;
 
 /// What the user asked the window for.
 #[derive(Clone, Debug, PartialEq)]
@@ -169,11 +167,11 @@ impl ExportWindow {
             running_ui(ui, running);
             return None;
         }
-        let film = self.form.film_bytes(bins);
+        let film = Film::bytes(self.form.size(), bins);
         let text = format!("{:.0} MB", film as f64 / 1e6);
         readout(ui, "Memory", "What the spectral film of this still needs.", &text);
         let fault = self.form.fault().map(str::to_owned).or_else(|| {
-            (film > LARGEST_FILM).then(|| {
+            (film > Film::MAX_BYTES || !self.form.can_be_opened_again()).then(|| {
                 format!("A film of {text} is too large: choose a smaller size or fewer bins.")
             })
         });
