@@ -404,7 +404,7 @@ fn meshes_are_opened_saved_and_found_again_beside_the_scene() {
     assert!((target.abs() - 0.5).abs().max_element() < 1e-6, "{target}");
     let start_camera = start.scene.camera;
     let shrunk = position.distance(target) / start_camera.position.distance(start_camera.target);
-    assert!((shrunk - 0.75_f32.sqrt() / 3.25).abs() < 1e-6, "{shrunk}");
+    assert!((shrunk - 0.5 / 3.25).abs() < 1e-6, "half the longest side to 3.25 mm: {shrunk}");
 
     let path = folder.path().join("scene.toml");
     opened.save(&path).unwrap();
