@@ -28,7 +28,7 @@ use crate::panels::{self, PanelState};
 use crate::path_dialog::{AskPath, PathDialog, ask_desktop};
 use crate::status;
 use crate::theme;
-use crate::viewport::Viewport;
+use crate::viewport;
 use files::Files;
 
 /// What the app has from outside of its window; a test brings its own.
@@ -60,7 +60,6 @@ pub struct App {
     bounds: Bounds,
     orbit: Orbit,
     live: Live,
-    viewport: Viewport,
     viewport_size: [u32; 2],
     viewport_focused: bool,
     panel: PanelState,
@@ -95,7 +94,6 @@ impl App {
             scene,
             editor,
             live,
-            viewport: Viewport::default(),
             viewport_size: [1, 1],
             viewport_focused: false,
             panel: PanelState::default(),
@@ -196,7 +194,7 @@ impl App {
     fn viewport_ui(&mut self, ui: &mut Ui) {
         let (picture, progress) = (self.session().picture(), self.session().progress());
         let shown = CentralPanel::no_frame().show(ui, |ui| {
-            self.viewport.show(ui, picture.as_ref(), &progress, &mut self.orbit, &self.bounds)
+            viewport::show(ui, picture.as_ref(), &progress, &mut self.orbit, &self.bounds)
         });
         if picture.is_some() {
             self.first_picture.painted(ui.ctx());

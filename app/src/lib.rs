@@ -20,6 +20,7 @@ pub mod opening;
 pub mod orbit;
 pub mod panels;
 pub mod path_dialog;
+pub mod picture_painter;
 pub mod question;
 pub mod row;
 pub mod status;

@@ -5,26 +5,19 @@ use std::sync::Arc;
 use brilliance_renderer::session::{Activity, Picture, Progress};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    self, Align2, Color32, ColorImage, FontId, Frame, Painter, PointerButton, Pos2, Rect, Response,
-    RichText, Sense, Shape, Stroke, TextureHandle, TextureOptions, Ui, WidgetInfo, pos2, vec2,
+    self, Align2, FontId, Frame, Painter, PointerButton, Pos2, Rect, Response, RichText, Sense,
+    Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
 
 use crate::bounds::Bounds;
 use crate::orbit::Orbit;
+use crate::picture_painter::paint_picture;
 use crate::theme;
 
 /// Largest picture the window asks for, in pixels per side.
 const LARGEST_SIDE: f32 = 8192.0;
 /// Wheel travel, in points, that doubles the size of the stone.
 const POINTS_PER_DOUBLING: f32 = 400.0;
-
-/// The texture of the newest picture.
-#[derive(Default)]
-pub struct Viewport {
-    texture: Option<TextureHandle>,
-    /// Serial and size of the picture in the texture, and how it is sampled.
-    uploaded: Option<(u64, [u32; 2], TextureOptions)>,
-}
 
 /// What the viewport found out in this frame.
 #[derive(Debug)]
@@ -37,76 +30,58 @@ pub struct ViewportResponse {
     pub response: Response,
 }
 
-impl Viewport {
-    /// Shows `picture` in all of the room that is left and moves the camera by the mouse.
-    pub fn show(
-        &mut self,
-        ui: &mut Ui,
-        picture: Option<&Arc<Picture>>,
-        progress: &Progress,
-        orbit: &mut Orbit,
-        bounds: &Bounds,
-    ) -> ViewportResponse {
-        let pixels_per_point = ui.pixels_per_point();
-        let room = ui.available_rect_before_wrap();
-        let response = ui.allocate_rect(room, Sense::click_and_drag());
-        response.widget_info(|| {
-            WidgetInfo::labeled(Role::Image, true, "Picture of the stone: drag to turn it")
-        });
-        let size = [room.width(), room.height()]
-            .map(|side| (side * pixels_per_point).round().clamp(1.0, LARGEST_SIDE) as u32);
+/// Shows `picture` in all of the room that is left and moves the camera by the mouse.
+pub fn show(
+    ui: &mut Ui,
+    picture: Option<&Arc<Picture>>,
+    progress: &Progress,
+    orbit: &mut Orbit,
+    bounds: &Bounds,
+) -> ViewportResponse {
+    let pixels_per_point = ui.pixels_per_point();
+    let room = ui.available_rect_before_wrap();
+    let response = ui.allocate_rect(room, Sense::click_and_drag());
+    response.widget_info(|| {
+        WidgetInfo::labeled(Role::Image, true, "Picture of the stone: drag to turn it")
+    });
+    let size = [room.width(), room.height()]
+        .map(|side| (side * pixels_per_point).round().clamp(1.0, LARGEST_SIDE) as u32);
 
-        let painter = ui.painter_at(room);
-        if let Some(picture) = picture {
-            self.upload(ui.ctx(), picture, size);
-            self.paint(&painter, room, size, pixels_per_point);
-        } else {
-            painter.rect_filled(room, 0.0, theme::BACKDROP);
-            empty_ui(&painter, room, progress);
-        }
-        if let Some(error) = &progress.error {
-            banner_ui(ui, room, error);
-        }
-        steer(ui, &response, orbit, bounds);
-        ViewportResponse { size, reset: response.double_clicked(), response }
+    let painter = ui.painter_at(room);
+    if let Some(picture) = picture {
+        paint(&painter, picture, room, size, pixels_per_point);
+    } else {
+        painter.rect_filled(room, 0.0, theme::BACKDROP);
+        empty_ui(&painter, room, progress);
     }
+    if let Some(error) = &progress.error {
+        banner_ui(ui, room, error);
+    }
+    steer(ui, &response, orbit, bounds);
+    ViewportResponse { size, reset: response.double_clicked(), response }
+}
 
-    fn upload(&mut self, ctx: &egui::Context, picture: &Picture, wanted: [u32; 2]) {
-        let options =
-            if picture.size == wanted { TextureOptions::NEAREST } else { TextureOptions::LINEAR };
-        let identity = (picture.serial, picture.size, options);
-        let pixels = picture.size[0] as usize * picture.size[1] as usize;
-        if self.uploaded == Some(identity) || picture.rgba8.len() != 4 * pixels || pixels == 0 {
-            return;
-        }
-        let size = picture.size.map(|side| side as usize);
-        let image = ColorImage::from_rgba_premultiplied(size, &picture.rgba8);
-        match &mut self.texture {
-            Some(texture) => texture.set(image, options),
-            None => self.texture = Some(ctx.load_texture("picture", image, options)),
-        }
-        self.uploaded = Some(identity);
+fn paint(
+    painter: &Painter,
+    picture: &Arc<Picture>,
+    room: Rect,
+    wanted: [u32; 2],
+    pixels_per_point: f32,
+) {
+    let is_exact = picture.size == wanted;
+    let rect = if is_exact {
+        // One pixel of the picture on one of the screen.
+        let corner = (room.min.to_vec2() * pixels_per_point).round() / pixels_per_point;
+        let [width, height] = wanted.map(|side| side as f32 / pixels_per_point);
+        Rect::from_min_size(corner.to_pos2(), vec2(width, height))
+    } else {
+        fitted(room, picture.size)
+    };
+    // Where drawing is done by the processor, no pixel should be filled twice.
+    if !rect.expand(1.0).contains_rect(room) {
+        painter.rect_filled(room, 0.0, theme::BACKDROP);
     }
-
-    fn paint(&self, painter: &Painter, room: Rect, wanted: [u32; 2], pixels_per_point: f32) {
-        let (Some(texture), Some((_, size, _))) = (&self.texture, self.uploaded) else { return };
-        let rect = if size == wanted {
-            // One pixel of the picture on one of the screen.
-            let corner = (room.min.to_vec2() * pixels_per_point).round() / pixels_per_point;
-            Rect::from_min_size(
-                corner.to_pos2(),
-                vec2(size[0] as f32, size[1] as f32) / pixels_per_point,
-            )
-        } else {
-            fitted(room, size)
-        };
-        // Where drawing is done by the processor, no pixel should be filled twice.
-        if !rect.expand(1.0).contains_rect(room) {
-            painter.rect_filled(room, 0.0, theme::BACKDROP);
-        }
-        let whole = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
-        painter.image(texture.id(), rect, whole, Color32::WHITE);
-    }
+    painter.add(paint_picture(rect, picture, !is_exact));
 }
 
 /// All of `room`, or as much of it as keeps the proportions of a picture that was made for

@@ -13,6 +13,7 @@ use crate::app::{App, Services};
 use crate::live::Live;
 use crate::opening::Opening;
 use crate::orbit::Orbit;
+use crate::picture_painter;
 
 const WINDOW_POINTS: [f32; 2] = [1480.0, 920.0];
 /// Size of the picture in a window of this size, where a point is a pixel. In any other window the
@@ -42,6 +43,9 @@ pub fn open(opening: Opening, started: Instant) -> anyhow::Result<()> {
         "Brilliance",
         options,
         Box::new(move |creation| {
+            if let Some(graphics) = &creation.wgpu_render_state {
+                picture_painter::install(graphics);
+            }
             let services = Services { started, ..Services::default() };
             Ok(Box::new(App::new(&creation.egui_ctx, opening, live, services)))
         }),

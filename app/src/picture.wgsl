@@ -1,0 +1,22 @@
+// Draws a picture over all of the viewport. Egui's own shader can do much more, and on a processor
+// that stands in for a graphics card that costs half of each frame.
+
+@group(0) @binding(0) var picture: texture_2d<f32>;
+@group(0) @binding(1) var picture_sampler: sampler;
+
+struct Corner {
+    @builtin(position) position: vec4f,
+    @location(0) uv: vec2f,
+}
+
+// One triangle that covers the viewport.
+@vertex
+fn corner(@builtin(vertex_index) index: u32) -> Corner {
+    let uv = vec2f(f32((index << 1u) & 2u), f32(index & 2u));
+    return Corner(vec4f(uv.x * 2.0 - 1.0, 1.0 - uv.y * 2.0, 0.0, 1.0), uv);
+}
+
+@fragment
+fn texel(at: Corner) -> @location(0) vec4f {
+    return textureSampleLevel(picture, picture_sampler, at.uv, 0.0);
+}
