@@ -1,13 +1,13 @@
 //! Undo, opening, saving.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use brilliance::app::{App, Services};
 use brilliance::notice::NoticeKind;
 use brilliance_renderer::cuts::RoundBrilliant;
 use brilliance_renderer::scene_file::{Document, scenes};
-use eframe::egui::{Event, Key, Modifiers};
+use eframe::egui::{DroppedFile, Event, Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 
 use crate::window::*;
@@ -59,6 +59,34 @@ fn a_file_that_cannot_be_opened_is_named_until_dismissed_and_the_scene_stays() {
     harness.get_by_label("Dismiss").click();
     harness.run_steps(3);
     assert!(harness.state().notices().list().is_empty());
+}
+
+/// A file as the desktop drops it.
+#[derive(Debug)]
+struct Dropped(PathBuf);
+
+impl DroppedFile for Dropped {
+    fn path(&self) -> &Path {
+        &self.0
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        std::fs::read(&self.0).map_err(|fault| fault.to_string())
+    }
+}
+
+#[test]
+fn a_file_that_is_dropped_on_the_window_is_opened() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("prism.toml");
+    std::fs::write(&path, scenes()[2].text).expect("the scene is written");
+    let mut harness = harness();
+    harness.input_mut().dropped_files.push(Arc::new(Dropped(path)));
+    harness.step();
+    wait(&mut harness, "the prism", |app| app.document().scene.objects[0].name == "Prism");
+    harness.run_steps(2);
+    assert!(harness.state().title().contains("prism"), "{}", harness.state().title());
+    assert_eq!(request(&harness).scene.objects[0].name, "Prism");
 }
 
 #[test]
