@@ -2,6 +2,8 @@
 
 #![expect(clippy::unwrap_used, reason = "a test ends where it fails, in its helpers too")]
 
+mod shapes;
+
 use std::path::{Path, PathBuf};
 
 use brilliance_renderer::color;
@@ -12,6 +14,7 @@ use brilliance_renderer::solid::{HalfSpace, Solid};
 use brilliance_renderer::spectrum::{Illuminant, Observer, Spectrum};
 use glam::{DVec3, Vec3};
 use serde_json::{Value, json};
+use shapes::sphere;
 
 /// Positions and triangles of the octahedron |x| + |y| + |z| ≤ 1, in glTF's y-up frame.
 const POSITIONS: [[f32; 3]; 6] = [
@@ -600,28 +603,9 @@ fn flipped_bytes_do_no_harm() {
 
 #[test]
 fn a_million_triangles_load() {
-    let (rings, segments) = (501_u32, 1000_u32);
-    let mut positions = vec![[0.0, 1.0, 0.0]];
-    for ring in 1..rings {
-        let (r, y) = (std::f32::consts::PI * ring as f32 / rings as f32).sin_cos();
-        for segment in 0..segments {
-            let (z, x) = (std::f32::consts::TAU * segment as f32 / segments as f32).sin_cos();
-            positions.push([r * x, y, -r * z]);
-        }
-    }
-    let south = positions.len() as u32;
-    positions.push([0.0, -1.0, 0.0]);
-    let at = |ring: u32, segment: u32| 1 + (ring - 1) * segments + segment % segments;
-    let mut triangles = Vec::new();
-    for s in 0..segments {
-        triangles.push([0, at(1, s), at(1, s + 1)]);
-        triangles.push([south, at(rings - 1, s + 1), at(rings - 1, s)]);
-        for ring in 1..rings - 1 {
-            let (a, b) = (at(ring, s), at(ring, s + 1));
-            let (c, d) = (at(ring + 1, s), at(ring + 1, s + 1));
-            triangles.extend([[a, c, b], [b, c, d]]);
-        }
-    }
+    let (positions, triangles) = sphere(501, 1000);
+    // glTF's up is y.
+    let positions: Vec<_> = positions.iter().map(|p| [p.x, p.z, -p.y]).collect();
     let mut file = File::of_mesh(&positions, &triangles);
     file = file.with_material(&File::diamond().json["materials"][0]);
     let folder = tempfile::tempdir().unwrap();

@@ -1,9 +1,12 @@
 //! Triangle meshes: welding, closedness, orientation and flat facets.
 
+mod shapes;
+
 use brilliance_renderer::cuts::RoundBrilliant;
 use brilliance_renderer::mesh::{Mesh, MeshFault};
 use brilliance_renderer::solid::Solid;
 use glam::Vec3;
+use shapes::sphere;
 
 /// A cube of side 2 with four vertices of its own on each face, as exporters write it.
 fn split_cube() -> (Vec<Vec3>, Vec<[u32; 3]>) {
@@ -22,32 +25,6 @@ fn split_cube() -> (Vec<Vec3>, Vec<[u32; 3]>) {
             let quad = if sign > 0.0 { [0, 1, 2, 3] } else { [0, 3, 2, 1] };
             let [a, b, c, d] = quad.map(|i: u32| start + i);
             triangles.extend([[a, b, c], [a, c, d]]);
-        }
-    }
-    (positions, triangles)
-}
-
-/// A sphere of latitude rings; its poles are fans.
-fn sphere(rings: u32, segments: u32) -> (Vec<Vec3>, Vec<[u32; 3]>) {
-    let mut positions = vec![Vec3::Z];
-    for ring in 1..rings {
-        let (r, z) = (std::f32::consts::PI * ring as f32 / rings as f32).sin_cos();
-        for segment in 0..segments {
-            let (y, x) = (std::f32::consts::TAU * segment as f32 / segments as f32).sin_cos();
-            positions.push(Vec3::new(r * x, r * y, z));
-        }
-    }
-    let south = positions.len() as u32;
-    positions.push(Vec3::NEG_Z);
-    let at = |ring: u32, segment: u32| 1 + (ring - 1) * segments + segment % segments;
-    let mut triangles = Vec::new();
-    for s in 0..segments {
-        triangles.push([0, at(1, s), at(1, s + 1)]);
-        triangles.push([south, at(rings - 1, s + 1), at(rings - 1, s)]);
-        for ring in 1..rings - 1 {
-            let (a, b) = (at(ring, s), at(ring, s + 1));
-            let (c, d) = (at(ring + 1, s), at(ring + 1, s + 1));
-            triangles.extend([[a, c, b], [b, c, d]]);
         }
     }
     (positions, triangles)

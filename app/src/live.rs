@@ -9,10 +9,9 @@ use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::session::{RenderRequest, Session};
 use eframe::egui;
 
-/// A session with what it was last asked for.
+/// A session, and the window that it wakes.
 pub struct Live {
     session: Session,
-    request: Option<RenderRequest>,
     /// The window to wake for news, once there is one.
     window: Arc<OnceLock<egui::Context>>,
 }
@@ -30,7 +29,7 @@ impl Live {
                 ctx.request_repaint();
             }
         })?;
-        Ok(Self { session, request: None, window })
+        Ok(Self { session, window })
     }
 
     /// Repaints the window of `ctx` from now on when there is a new picture or new progress.
@@ -42,17 +41,13 @@ impl Live {
     /// Asks for `scene`, which is the document's, seen by `camera` at `size` in pixels. Returns
     /// at once; nothing happens if that was asked before.
     pub fn ask(&mut self, document: &Document, scene: &Arc<Scene>, camera: Camera, size: [u32; 2]) {
-        let request = RenderRequest {
+        self.session.request(RenderRequest {
             scene: Arc::clone(scene),
             camera,
             size,
             trace: document.trace.clone(),
             pass_limit: document.still.passes,
-        };
-        if self.request.as_ref() != Some(&request) {
-            self.request = Some(request.clone());
-            self.session.request(request);
-        }
+        });
         self.session.display(document.display.clone());
     }
 
@@ -63,6 +58,6 @@ impl Live {
 
     /// What the session was last asked for.
     pub fn request(&self) -> Option<&RenderRequest> {
-        self.request.as_ref()
+        self.session.last_request()
     }
 }

@@ -102,6 +102,14 @@ pub struct PackedMaterial {
     pub least_absorption: f32,
 }
 
+impl PackedMaterial {
+    /// Whether no light enters it.
+    #[inline]
+    pub fn is_opaque(&self) -> bool {
+        self.index_table == NONE
+    }
+}
+
 /// A distant disc.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
@@ -213,6 +221,12 @@ impl PackedScene {
             sky,
             ground,
         })
+    }
+
+    /// The material of a body.
+    #[inline]
+    pub fn material_of(&self, instance: u32) -> &PackedMaterial {
+        &self.materials[self.instances[instance as usize].material as usize]
     }
 
     /// The values of row `row`, one per bin.

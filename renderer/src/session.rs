@@ -40,11 +40,16 @@ pub struct RenderRequest {
 impl RenderRequest {
     /// Whether the two differ at most in how many passes they want: the film carries on.
     pub fn makes_same_film(&self, other: &Self) -> bool {
-        let Self { scene, camera, size, trace, pass_limit: _ } = self;
-        (Arc::ptr_eq(scene, &other.scene) || *scene == other.scene)
-            && *camera == other.camera
+        let Self { scene: _, camera, size, trace, pass_limit: _ } = self;
+        *camera == other.camera
             && *size == other.size
             && *trace == other.trace
+            && self.has_same_scene(other)
+    }
+
+    /// Whether the two show one scene, which need not be compared where it is shared.
+    fn has_same_scene(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.scene, &other.scene) || self.scene == other.scene
     }
 }
 
@@ -154,11 +159,11 @@ impl Session {
 
     /// Asks for a picture. Equal to the last request: nothing happens. Returns at once.
     pub fn request(&mut self, request: RenderRequest) {
-        if self.last_request.as_ref() == Some(&request) {
+        let last = self.last_request.as_ref();
+        let carries_on = last.is_some_and(|last| last.makes_same_film(&request));
+        if carries_on && last.is_some_and(|last| last.pass_limit == request.pass_limit) {
             return;
         }
-        let carries_on =
-            self.last_request.as_ref().is_some_and(|last| last.makes_same_film(&request));
         self.last_request = Some(request.clone());
         self.requests_made += 1;
         if carries_on {
@@ -176,6 +181,11 @@ impl Session {
             drop(display);
             self.shared.to_develop.post(());
         }
+    }
+
+    /// What was last asked for.
+    pub fn last_request(&self) -> Option<&RenderRequest> {
+        self.last_request.as_ref()
     }
 
     /// Number of different requests made so far.

@@ -80,13 +80,21 @@ fn absorbing(per_mm: f32) -> Material {
     })
 }
 
+/// From so far above that all rays are as good as parallel.
+fn straight_down() -> Camera {
+    Camera {
+        position: glam::Vec3::Z * 1000.0,
+        up: glam::Vec3::Y,
+        fov_y_radians: 0.001,
+        ..Camera::default()
+    }
+}
+
 #[test]
 fn absorption_follows_beer_and_lambert_over_the_real_path() {
     let lights = Lights { environment: Some(flat_sky(1.0)), ..Lights::default() };
     let scene = scene(vec![object(block(DVec3::splat(1.5)), absorbing(0.4))], lights);
-    let camera =
-        Camera { position: glam::Vec3::Z * 1000.0, up: glam::Vec3::Y, ..close_camera(1.0) };
-    let camera = Camera { fov_y_radians: 0.001, ..camera };
+    let camera = straight_down();
     let still = render(&request(scene, camera, [4, 4], TraceSettings::default()), 0);
     let pixel = still.film.pixel(1, 1);
     // 3 mm at 0.4 per mm.
@@ -101,12 +109,7 @@ fn two_differently_coloured_bodies_multiply_their_transmittances() {
     first.transform.translation.z = 2.0;
     let second = object(block(DVec3::splat(1.0)), absorbing(0.7));
     let scene = scene(vec![first, second], lights);
-    let camera = Camera {
-        position: glam::Vec3::Z * 1000.0,
-        up: glam::Vec3::Y,
-        fov_y_radians: 0.001,
-        ..Camera::default()
-    };
+    let camera = straight_down();
     let still = render(&request(scene, camera, [2, 2], TraceSettings::default()), 0);
     let pixel = still.film.pixel(0, 0);
     assert!((f64::from(pixel[2]) - (-2.2_f64).exp()).abs() < 1e-4, "{pixel:?}");
@@ -122,12 +125,7 @@ fn a_stone_inside_a_stone_keeps_both_media() {
         block(DVec3::splat(1.0)),
         clear(Dispersion::Linear { n_d: 1.000_001, dispersion_bg: 0.0 }),
     );
-    let camera = Camera {
-        position: glam::Vec3::Z * 1000.0,
-        up: glam::Vec3::Y,
-        fov_y_radians: 0.001,
-        ..Camera::default()
-    };
+    let camera = straight_down();
     let request =
         request(scene(vec![outer, core], lights), camera, [2, 2], TraceSettings::default());
     let still = render(&request, 0);

@@ -51,8 +51,7 @@ pub fn shade_diffuse(walk: &mut Walk<'_>, ray: &Ray, hit: &Hit) {
 fn reflectance_at(walk: &Walk<'_>, ray: &Ray, hit: &Hit) -> u32 {
     let scene = walk.scene;
     if hit.instance != GROUND {
-        let material = scene.instances[hit.instance as usize].material;
-        return scene.materials[material as usize].reflectance;
+        return scene.material_of(hit.instance).reflectance;
     }
     let square_x = (ray.origin.x / scene.ground.square).floor();
     let square_y = (ray.origin.y / scene.ground.square).floor();

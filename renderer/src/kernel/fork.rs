@@ -50,11 +50,7 @@ fn medium_beyond(ray: &Ray, hit: &Hit) -> u32 {
 #[inline]
 fn interface_at(scene: &PackedScene, ray: &Ray, hit: &Hit) -> Interface {
     let index_table = |instance: u32| {
-        if instance == NONE {
-            return NONE;
-        }
-        let material = scene.instances[instance as usize].material;
-        scene.materials[material as usize].index_table
+        if instance == NONE { NONE } else { scene.material_of(instance).index_table }
     };
     Interface {
         normal: if ray.medium == hit.instance { -hit.normal } else { hit.normal },
@@ -161,11 +157,10 @@ fn reflected_ray(ray: &Ray, hit: &Hit, interface: &Interface) -> Ray {
 /// The material that absorbs inside the body `instance`, or [`NONE`].
 #[inline]
 fn absorber_of(scene: &PackedScene, instance: u32) -> u32 {
-    if instance == NONE {
+    if instance == NONE || scene.material_of(instance).absorption == NONE {
         return NONE;
     }
-    let material = scene.instances[instance as usize].material;
-    if scene.materials[material as usize].absorption == NONE { NONE } else { material }
+    scene.instances[instance as usize].material
 }
 
 /// Whether the ray, having run through one coloured material, would enter another.

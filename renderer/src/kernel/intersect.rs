@@ -116,7 +116,7 @@ fn meet_instance(scene: &PackedScene, ray: &Ray, index: u32, limit: f32) -> Hit 
 
 #[inline]
 fn sides(scene: &PackedScene, instance: &Instance, is_inside: bool) -> Sides {
-    if scene.materials[instance.material as usize].index_table == NONE {
+    if scene.materials[instance.material as usize].is_opaque() {
         Sides::Both
     } else if is_inside {
         Sides::Back

@@ -176,9 +176,5 @@ fn runs_in_absorber(scene: &PackedScene, ray: &Ray) -> bool {
 
 #[inline]
 fn is_opaque(scene: &PackedScene, hit: &Hit) -> bool {
-    if hit.instance == GROUND {
-        return true;
-    }
-    let material = scene.instances[hit.instance as usize].material;
-    scene.materials[material as usize].index_table == NONE
+    hit.instance == GROUND || scene.material_of(hit.instance).is_opaque()
 }

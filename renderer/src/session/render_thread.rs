@@ -75,7 +75,7 @@ impl Job {
         let (scene, exposure) = match previous {
             Some(previous) if carries_on => (previous.scene, previous.exposure),
             Some(previous)
-                if previous.scene.bins == bins && is_same_scene(&previous.request, &request) =>
+                if previous.scene.bins == bins && previous.request.has_same_scene(&request) =>
             {
                 (previous.scene, None)
             }
@@ -140,10 +140,6 @@ impl Job {
             published: None,
         }
     }
-}
-
-fn is_same_scene(a: &RenderRequest, b: &RenderRequest) -> bool {
-    Arc::ptr_eq(&a.scene, &b.scene) || a.scene == b.scene
 }
 
 /// A film and what it has cost.
