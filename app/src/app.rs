@@ -225,6 +225,7 @@ impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         self.first_picture.begin_frame();
         let ctx = ui.ctx().clone();
+        let was_typing = command::is_typing(&ctx);
         self.menu_ui(ui);
         status::show(ui, &self.session().progress(), self.session().threads());
         if self.panel_shown {
@@ -234,7 +235,7 @@ impl eframe::App for App {
         self.overlays_ui(&ctx);
         // After the widgets, which take the keys that are meant for them.
         if !self.is_modal() {
-            for command in command::pressed(&ctx, self.viewport_focused) {
+            for command in command::pressed(&ctx, self.viewport_focused, was_typing) {
                 self.run(command, &ctx);
             }
         }

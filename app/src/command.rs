@@ -99,14 +99,20 @@ impl Command {
     }
 }
 
+/// Whether plain keys are being typed into something.
+pub fn is_typing(ctx: &Context) -> bool {
+    ctx.text_edit_focused() || ctx.any_popup_open()
+}
+
 /// The commands whose keys were pressed in this frame. `over_picture` says that the picture has
-/// the focus, if anything has.
-pub fn pressed(ctx: &Context, over_picture: bool) -> Vec<Command> {
+/// the focus, if anything has; `was_typing` is [`is_typing`] before the frame's widgets, one of
+/// which may have taken the keys and then given up the focus.
+pub fn pressed(ctx: &Context, over_picture: bool, was_typing: bool) -> Vec<Command> {
     let mut commands: Vec<_> = ctx.input_mut(|input| {
         let consumed = SHORTCUTS.iter().filter(|(_, shortcut)| input.consume_shortcut(shortcut));
         consumed.map(|(command, _)| *command).collect()
     });
-    if ctx.text_edit_focused() || ctx.any_popup_open() {
+    if was_typing || is_typing(ctx) {
         return commands;
     }
     let unfocused = over_picture || ctx.memory(|memory| memory.focused().is_none());

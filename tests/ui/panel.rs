@@ -171,6 +171,32 @@ fn values_can_be_typed_with_their_unit() {
 }
 
 #[test]
+fn a_digit_that_is_typed_with_enter_in_one_frame_is_no_view_key() {
+    let mut harness = harness();
+    let camera = harness.state().camera();
+    let field = harness.get_by_label("Crown angle value").rect().center();
+    harness.hover_at(field);
+    harness.drag_at(field);
+    harness.drop_at(field);
+    harness.run_steps(3);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    harness.run_steps(1);
+    let press = |key| Event::Key {
+        key,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers: Modifiers::NONE,
+    };
+    let typed =
+        [press(Key::Num3), Event::Text("31".to_owned()), press(Key::Num1), press(Key::Enter)];
+    harness.input_mut().events.extend(typed);
+    harness.run_steps(3);
+    assert_eq!(brilliant(&request(&harness)).crown_angle_degrees, 31.0);
+    assert_eq!(harness.state().camera(), camera);
+}
+
+#[test]
 fn every_control_has_a_name() {
     let harness = harness();
     assert!(harness.unnamed_widgets().is_empty(), "{:?}", harness.unnamed_widgets());
