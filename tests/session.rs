@@ -4,11 +4,13 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Condvar, Mutex};
 use std::time::Duration;
 
+use brilliance_renderer::develop::Pixels;
 use brilliance_renderer::error::RendererError;
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::session::{Activity, Picture, Progress, RenderRequest, Session};
 use brilliance_renderer::settings::{DisplaySettings, ToneCurve, TraceSettings};
 use brilliance_renderer::still::{Still, StillLimits};
+use brilliance_renderer::tracer::Backend;
 
 /// Far beyond what any of this takes; only a hang reaches it.
 const PATIENCE: Duration = Duration::from_mins(2);
@@ -52,6 +54,14 @@ impl Watched {
     }
 }
 
+/// The pixels of a picture made by the processor.
+fn rgba8(picture: &Picture) -> &[u8] {
+    match &picture.pixels {
+        Pixels::Rgba8(rgba8) => rgba8,
+        Pixels::Texture(_) => panic!("the processor makes no textures"),
+    }
+}
+
 fn request(size: [u32; 2], passes: u32) -> RenderRequest {
     let document = Document::default();
     RenderRequest {
@@ -60,6 +70,7 @@ fn request(size: [u32; 2], passes: u32) -> RenderRequest {
         size,
         trace: document.trace,
         pass_limit: passes,
+        backend: Backend::Cpu,
     }
 }
 
@@ -70,8 +81,8 @@ fn a_request_is_traced_to_its_pass_limit_and_shown() {
     let (picture, progress) = watched.wait_for_done([48, 32]);
     assert_eq!((progress.passes, progress.pass_limit), (3, 3));
     assert_eq!(progress.statistics.camera_rays, 3 * 48 * 32);
-    assert_eq!(picture.rgba8.len(), 48 * 32 * 4);
-    let shades: std::collections::BTreeSet<_> = picture.rgba8.chunks(4).collect();
+    assert_eq!(rgba8(&picture).len(), 48 * 32 * 4);
+    let shades: std::collections::BTreeSet<_> = rgba8(&picture).chunks(4).collect();
     assert!(shades.len() > 50, "a diamond has more than {} colours", shades.len());
 }
 
@@ -162,7 +173,7 @@ fn display_settings_change_the_picture_without_tracing() {
     });
     watched.wait(|session| session.picture().is_some_and(|p| p.serial > before.serial));
     let after = watched.session.picture().expect("it is there");
-    assert_ne!(before.rgba8, after.rgba8);
+    assert_ne!(rgba8(&before), rgba8(&after));
     assert_eq!(watched.session.progress(), progress, "nothing was traced");
     assert_eq!(watched.session.requests_made(), 1);
 }

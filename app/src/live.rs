@@ -7,6 +7,7 @@ use brilliance_renderer::error::RendererError;
 use brilliance_renderer::scene::Scene;
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::session::{RenderRequest, Session};
+use brilliance_renderer::tracer::Backend;
 use eframe::egui;
 
 /// A session, and the window that it wakes.
@@ -47,6 +48,7 @@ impl Live {
             size,
             trace: document.trace.clone(),
             pass_limit: document.still.passes,
+            backend: Backend::Auto,
         });
         self.session.display(document.display.clone());
     }

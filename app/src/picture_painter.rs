@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use brilliance_renderer::develop::Pixels;
 use brilliance_renderer::session::Picture;
 use eframe::egui::{PaintCallback, PaintCallbackInfo, Rect};
 use eframe::egui_wgpu::{
@@ -94,6 +95,7 @@ impl PicturePainter {
         if self.shown.as_ref().is_some_and(is_shown) {
             return;
         }
+        let Pixels::Rgba8(rgba8) = &picture.pixels else { return };
         let [width, height] = picture.size;
         let texture = device.create_texture_with_data(
             queue,
@@ -108,7 +110,7 @@ impl PicturePainter {
                 view_formats: &[],
             },
             wgpu::util::TextureDataOrder::LayerMajor,
-            &picture.rgba8,
+            rgba8,
         );
         let filter = if smooth { wgpu::FilterMode::Linear } else { wgpu::FilterMode::Nearest };
         let sampler = device.create_sampler(&wgpu::SamplerDescriptor {

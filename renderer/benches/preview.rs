@@ -11,6 +11,7 @@ use brilliance_renderer::scene::Scene;
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::session::{Picture, RenderRequest, Session};
 use brilliance_renderer::settings::TraceSettings;
+use brilliance_renderer::tracer::Backend;
 use glam::Quat;
 
 const SIZE: [u32; 2] = [1280, 800];
@@ -87,6 +88,7 @@ impl Orbit {
             size: SIZE,
             trace: self.trace.clone(),
             pass_limit: self.pass_limit,
+            backend: Backend::Cpu,
         });
     }
 

@@ -9,6 +9,7 @@ use brilliance_renderer::error::RendererError;
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::session::RenderRequest;
 use brilliance_renderer::still::{Still, StillLimits};
+use brilliance_renderer::tracer::Backend;
 
 const SIZE: [u32; 2] = [320, 200];
 const WARM_UP: Duration = Duration::from_millis(500);
@@ -22,6 +23,7 @@ fn main() -> Result<(), RendererError> {
         size: SIZE,
         trace: document.trace,
         pass_limit: u32::MAX,
+        backend: Backend::Cpu,
     };
     for threads in [1, 2] {
         trace(&request, threads, WARM_UP)?;

@@ -9,6 +9,7 @@
 //! film develops again without being traced again.
 
 mod gamut;
+mod gpu;
 mod pixels;
 mod srgb8;
 mod tone_curve;
@@ -17,13 +18,54 @@ use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
 use crate::color;
+use crate::error::RendererError;
 use crate::film::Film;
 use crate::settings::DisplaySettings;
 use crate::spectrum::{Bins, Observer};
+pub use gpu::GpuXyzImage;
 use pixels::Development;
 
 /// Pixels that a thread takes at a time: enough to be worth the asking.
 const PIXELS_PER_TASK: usize = 2048;
+
+/// An exposed film as the observer sees it, not yet developed, where the film is.
+#[derive(Clone, Debug)]
+pub enum LatentImage {
+    /// In the processor's memory.
+    Memory(XyzImage),
+    /// In the memory of a graphics device.
+    Graphics(GpuXyzImage),
+}
+
+/// The pixels of a developed image, where the film is.
+#[derive(Clone, Debug)]
+pub enum Pixels {
+    /// sRGB-encoded RGBA in the processor's memory, row by row from the top.
+    Rgba8(Vec<u8>),
+    /// sRGB-encoded RGBA, as an `Rgba8Unorm` texture that can also be viewed as `Rgba8UnormSrgb`.
+    Texture(wgpu::Texture),
+}
+
+impl LatentImage {
+    /// Width and height in pixels.
+    pub fn size(&self) -> [u32; 2] {
+        match self {
+            Self::Memory(image) => image.size,
+            Self::Graphics(image) => image.size(),
+        }
+    }
+
+    /// The image as a display shows it.
+    ///
+    /// # Errors
+    /// The graphics device fails.
+    pub fn develop(&self, settings: &DisplaySettings) -> Result<Pixels, RendererError> {
+        match self {
+            Self::Memory(image) => Ok(Pixels::Rgba8(image.develop_rgba8(settings))),
+            Self::Graphics(image) => image.develop(settings).map(Pixels::Texture),
+        }
+    }
+}
 
 /// CIE XYZ per pixel as the observer sees the film: radiance 1 at every wavelength is Y = 1.
 #[derive(Clone, Debug)]

@@ -14,6 +14,9 @@ pub enum RendererError {
         /// What the system said.
         source: std::io::Error,
     },
+    /// A graphics device can't do what was asked, or has failed; the processor can take over.
+    #[error("{0}")]
+    Graphics(String),
     /// A value that makes no sense.
     #[error("{0}")]
     Invalid(String),

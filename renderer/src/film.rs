@@ -39,6 +39,12 @@ impl Film {
         self.bins
     }
 
+    /// Makes the film empty.
+    pub fn clear(&mut self) {
+        self.sums.fill(0.0);
+        self.passes = 0;
+    }
+
     /// Complete passes in the sums.
     pub fn passes(&self) -> u32 {
         self.passes

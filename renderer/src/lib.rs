@@ -7,6 +7,7 @@ pub mod cuts;
 pub mod develop;
 pub mod error;
 pub mod film;
+pub mod gpu;
 pub mod image_file;
 pub mod import;
 pub mod kernel;

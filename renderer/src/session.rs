@@ -13,12 +13,13 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::JoinHandle;
 
 use crate::camera::Camera;
-use crate::develop::XyzImage;
+use crate::develop::{LatentImage, Pixels};
 use crate::error::RendererError;
+use crate::gpu::Graphics;
 use crate::scene::Scene;
 use crate::settings::{DisplaySettings, TraceSettings};
 use crate::statistics::Statistics;
-use crate::tracer::CpuTracer;
+use crate::tracer::{Backend, CpuTracer, TracerName};
 use mailbox::Mailbox;
 
 /// Everything that decides the film. Equal requests need no work; a different one restarts, unless
@@ -35,15 +36,18 @@ pub struct RenderRequest {
     pub trace: TraceSettings,
     /// Passes after which the picture is done.
     pub pass_limit: u32,
+    /// What traces it.
+    pub backend: Backend,
 }
 
 impl RenderRequest {
     /// Whether the two differ at most in how many passes they want: the film carries on.
     pub fn makes_same_film(&self, other: &Self) -> bool {
-        let Self { scene: _, camera, size, trace, pass_limit: _ } = self;
+        let Self { scene: _, camera, size, trace, pass_limit: _, backend } = self;
         *camera == other.camera
             && *size == other.size
             && *trace == other.trace
+            && *backend == other.backend
             && self.has_same_scene(other)
     }
 
@@ -58,8 +62,8 @@ impl RenderRequest {
 pub struct Picture {
     /// Width and height in pixels; smaller than requested while previewing.
     pub size: [u32; 2],
-    /// sRGB-encoded RGBA, row by row from the top.
-    pub rgba8: Vec<u8>,
+    /// What is shown.
+    pub pixels: Pixels,
     /// Counts up with every picture published.
     pub serial: u64,
 }
@@ -97,12 +101,28 @@ pub struct Progress {
     pub tracing_seconds: f64,
     /// Why the request failed.
     pub error: Option<String>,
+    /// What traced the film that is shown; none before the first.
+    pub tracer: Option<TracerName>,
+}
+
+/// How the session and the graphics device get on.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum GraphicsState {
+    /// No device was offered.
+    #[default]
+    Absent,
+    /// The shaders are being compiled.
+    Preparing,
+    /// The device traces whatever is asked of it.
+    Ready,
+    /// The device failed, and is asked no more; the text says why.
+    Failed(String),
 }
 
 /// What the threads share. A poisoned lock still holds a whole value, so poison is ignored.
 struct Shared {
     requests: Mailbox<RenderRequest>,
-    image: Mutex<Option<Arc<XyzImage>>>,
+    image: Mutex<Option<Arc<LatentImage>>>,
     display: Mutex<DisplaySettings>,
     /// Says that there is something new to develop.
     to_develop: Mailbox<()>,
@@ -196,6 +216,25 @@ impl Session {
     /// Threads that trace.
     pub fn threads(&self) -> usize {
         self.threads
+    }
+
+    /// Lets the session trace on `graphics`, which it prepares while it goes on tracing on the
+    /// processor.
+    pub fn offer_graphics(&mut self, graphics: Graphics) {
+        let _ = graphics;
+    }
+
+    /// Gives a graphics device that has failed another chance.
+    pub fn retry_graphics(&mut self) {}
+
+    /// How the session and the graphics device get on.
+    pub fn graphics_state(&self) -> GraphicsState {
+        GraphicsState::Absent
+    }
+
+    /// The graphics device that was offered.
+    pub fn graphics(&self) -> Option<&Graphics> {
+        None
     }
 
     /// The newest picture.

@@ -13,7 +13,7 @@ use crate::session::RenderRequest;
 use crate::settings::DisplaySettings;
 use crate::spectrum::Bins;
 use crate::statistics::Statistics;
-use crate::tracer::{CpuTracer, View};
+use crate::tracer::{CpuTracer, Tracer, View};
 
 /// What a still says of its maker.
 const SOFTWARE: &str = concat!("Brilliance ", env!("CARGO_PKG_VERSION"));
@@ -85,9 +85,8 @@ impl Still {
         let started = Instant::now();
         while film.passes() < request.pass_limit {
             let is_cancelled = || cancel.load(Ordering::Relaxed);
-            statistics += tracer
-                .trace_pass(&scene, &view, &request.trace, &mut film, is_cancelled)
-                .ok_or(RendererError::Cancelled)?;
+            statistics +=
+                tracer.trace(&scene, &view, &request.trace, &mut film, 1, &is_cancelled)?;
             progress(film.passes(), &statistics);
             if limits.time.is_some_and(|time| started.elapsed() >= time) {
                 break;

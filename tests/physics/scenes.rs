@@ -16,6 +16,7 @@ use brilliance_renderer::settings::TraceSettings;
 use brilliance_renderer::solid::HalfSpace;
 use brilliance_renderer::spectrum::{Bins, Spectrum};
 use brilliance_renderer::still::{Still, StillLimits};
+use brilliance_renderer::tracer::Backend;
 use glam::{DVec3, Vec3};
 
 /// Diamond by the paper's linear formula.
@@ -98,7 +99,14 @@ pub(crate) fn request(
     size: [u32; 2],
     trace: TraceSettings,
 ) -> RenderRequest {
-    RenderRequest { scene: Arc::new(scene), camera, size, trace, pass_limit: 1 }
+    RenderRequest {
+        scene: Arc::new(scene),
+        camera,
+        size,
+        trace,
+        pass_limit: 1,
+        backend: Backend::Cpu,
+    }
 }
 
 pub(crate) fn render(request: &RenderRequest, threads: usize) -> Still {

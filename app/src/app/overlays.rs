@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use brilliance_renderer::session::RenderRequest;
+use brilliance_renderer::tracer::Backend;
 use eframe::egui;
 
 use super::{App, files};
@@ -51,6 +52,7 @@ impl App {
                 size: order.still.size,
                 trace: document.trace.clone(),
                 pass_limit: order.still.passes,
+                backend: Backend::Auto,
             },
             display: document.display.clone(),
             format: order.format,

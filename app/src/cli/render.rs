@@ -10,6 +10,7 @@ use brilliance_renderer::film::Film;
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::session::RenderRequest;
 use brilliance_renderer::still::{Still, StillLimits};
+use brilliance_renderer::tracer::Backend;
 use brilliance_renderer::whole_file;
 
 use super::arguments::RenderArguments;
@@ -67,6 +68,7 @@ fn trace(document: &Document, limits: StillLimits, cancel: &AtomicBool) -> anyho
         size: document.still.size,
         trace: document.trace.clone(),
         pass_limit: document.still.passes,
+        backend: Backend::Auto,
     };
     let progress = Progress::new(request.pass_limit);
     let still = Still::render(&request, limits, cancel, |passes, _| progress.show(passes));

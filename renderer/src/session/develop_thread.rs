@@ -14,8 +14,8 @@ pub(super) fn run(shared: &Shared) {
         let display = lock(&shared.display).clone();
         let Some(image) = image else { continue };
         serial += 1;
-        let rgba8 = image.develop_rgba8(&display);
-        *lock(&shared.picture) = Some(Arc::new(Picture { size: image.size, rgba8, serial }));
+        let Ok(pixels) = image.develop(&display) else { continue };
+        *lock(&shared.picture) = Some(Arc::new(Picture { size: image.size(), pixels, serial }));
         (shared.on_update)();
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use super::{Activity, Progress, RenderRequest, Shared, lock};
-use crate::develop::XyzImage;
+use crate::develop::{LatentImage, XyzImage};
 use crate::error::RendererError;
 use crate::film::Film;
 use crate::packed::PackedScene;
@@ -13,7 +13,7 @@ use crate::scheduler::{Effort, Scheduler, Work};
 use crate::settings::TraceSettings;
 use crate::spectrum::Bins;
 use crate::statistics::Statistics;
-use crate::tracer::{CpuTracer, View};
+use crate::tracer::{CpuTracer, Tracer, View};
 
 /// Least time between two published states of an accumulating film.
 const PUBLISH_INTERVAL: Duration = Duration::from_millis(33);
@@ -100,15 +100,16 @@ impl Job {
                 _ => self.expose(work),
             };
             let started = Instant::now();
-            let statistics = tracer.trace_pass(
+            let statistics = tracer.trace(
                 &self.scene,
                 &self.view,
                 self.settings(work.effort),
                 &mut exposure.film,
-                || shared.requests.generation() != generation,
+                1,
+                &|| shared.requests.generation() != generation,
             );
             // A pass that was cut short has spoilt its film.
-            let Some(statistics) = statistics else { return };
+            let Ok(statistics) = statistics else { return };
             let seconds = started.elapsed().as_secs_f64();
             scheduler.complete(seconds);
             exposure.add(&statistics, seconds);
@@ -166,7 +167,8 @@ impl Exposure {
         }
         let passes = self.film.passes();
         if self.published.is_none_or(|(_, published_passes)| published_passes != passes) {
-            *lock(&shared.image) = Some(Arc::new(XyzImage::from_film(&self.film)));
+            *lock(&shared.image) =
+                Some(Arc::new(LatentImage::Memory(XyzImage::from_film(&self.film))));
             shared.to_develop.post(());
         }
         self.published = Some((Instant::now(), passes));
@@ -183,6 +185,7 @@ impl Exposure {
             statistics: self.statistics,
             tracing_seconds: self.seconds,
             error: None,
+            tracer: None,
         });
     }
 }

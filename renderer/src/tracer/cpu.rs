@@ -3,13 +3,15 @@
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use super::{View, pass};
+use super::{Tracer, TracerName, View, pass};
+use crate::develop::{LatentImage, XyzImage};
 use crate::error::RendererError;
 use crate::film::Film;
 use crate::kernel::camera::{camera_ray, pixel_seed};
 use crate::kernel::trace::{Pass, RayStack, Tally, trace};
 use crate::packed::PackedScene;
 use crate::settings::TraceSettings;
+use crate::spectrum::Bins;
 use crate::statistics::{Ledger, Statistics};
 
 /// Pixels of a strip: the unit of work.
@@ -46,13 +48,13 @@ impl CpuTracer {
     ///
     /// Returns `None` where `is_cancelled` came true, asked before every pixel; the film is then
     /// of no more use.
-    pub fn trace_pass(
+    fn trace_pass(
         &self,
         scene: &PackedScene,
         view: &View,
         settings: &TraceSettings,
         film: &mut Film,
-        is_cancelled: impl Fn() -> bool + Sync,
+        is_cancelled: &(dyn Fn() -> bool + Sync),
     ) -> Option<Statistics> {
         let pass = pass(view, settings, film.passes());
         let size = film.size();
@@ -81,6 +83,55 @@ impl CpuTracer {
             statistics += strip;
         }
         Some(statistics)
+    }
+}
+
+impl Tracer for CpuTracer {
+    type Scene = PackedScene;
+    type Film = Film;
+
+    fn name(&self) -> TracerName {
+        TracerName::Cpu { threads: self.threads() }
+    }
+
+    fn load(&self, scene: PackedScene) -> Result<PackedScene, RendererError> {
+        Ok(scene)
+    }
+
+    fn film(&self, size: [u32; 2], bins: Bins, used: Option<Film>) -> Result<Film, RendererError> {
+        Ok(match used {
+            Some(mut film) if film.size() == size && film.bins() == bins => {
+                film.clear();
+                film
+            }
+            _ => Film::new(size[0], size[1], bins),
+        })
+    }
+
+    fn trace(
+        &self,
+        scene: &PackedScene,
+        view: &View,
+        settings: &TraceSettings,
+        film: &mut Film,
+        passes: u32,
+        is_cancelled: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Statistics, RendererError> {
+        let mut statistics = Statistics::default();
+        for _ in 0..passes {
+            statistics += self
+                .trace_pass(scene, view, settings, film, is_cancelled)
+                .ok_or(RendererError::Cancelled)?;
+        }
+        Ok(statistics)
+    }
+
+    fn expose(&self, film: &Film) -> Result<LatentImage, RendererError> {
+        Ok(LatentImage::Memory(XyzImage::from_film(film)))
+    }
+
+    fn read(&self, film: Film) -> Result<Film, RendererError> {
+        Ok(film)
     }
 }
 

@@ -1,14 +1,79 @@
 //! Tracers: they add one pass after the other to a film.
 
+mod backend;
 mod cpu;
+mod gpu;
 
+pub use backend::{Backend, TracerName};
 pub use cpu::CpuTracer;
+pub use gpu::{GpuFilm, GpuScene, GpuTracer};
 
 use glam::Vec3;
 
 use crate::camera::{Camera, CameraFrame};
+use crate::develop::LatentImage;
+use crate::error::RendererError;
+use crate::film::Film;
 use crate::kernel::trace::Pass;
+use crate::packed::PackedScene;
 use crate::settings::TraceSettings;
+use crate::spectrum::Bins;
+use crate::statistics::Statistics;
+
+/// What adds passes to films: one interface to the processor and to graphics devices.
+pub trait Tracer {
+    /// A scene where the tracer can read it.
+    type Scene;
+    /// A film where the tracer can write to it.
+    type Film;
+
+    /// What the tracer is called.
+    fn name(&self) -> TracerName;
+
+    /// Brings a scene to where the tracer reads it.
+    ///
+    /// # Errors
+    /// The scene is too large for the device, or the device fails.
+    fn load(&self, scene: PackedScene) -> Result<Self::Scene, RendererError>;
+
+    /// An empty film; `used`, a film that is no longer needed, is made empty where it fits.
+    ///
+    /// # Errors
+    /// The film is too large for the device, or the device fails.
+    fn film(
+        &self,
+        size: [u32; 2],
+        bins: Bins,
+        used: Option<Self::Film>,
+    ) -> Result<Self::Film, RendererError>;
+
+    /// Adds `passes` passes, each of one camera ray per pixel, to `film`.
+    ///
+    /// # Errors
+    /// [`RendererError::Cancelled`] where `is_cancelled` came true, or the device fails; the film
+    /// is then of no more use.
+    fn trace(
+        &self,
+        scene: &Self::Scene,
+        view: &View,
+        settings: &TraceSettings,
+        film: &mut Self::Film,
+        passes: u32,
+        is_cancelled: &(dyn Fn() -> bool + Sync),
+    ) -> Result<Statistics, RendererError>;
+
+    /// What the observer sees of the film, ready to be developed; it stays where the film is.
+    ///
+    /// # Errors
+    /// The device fails.
+    fn expose(&self, film: &Self::Film) -> Result<LatentImage, RendererError>;
+
+    /// The film in the processor's memory.
+    ///
+    /// # Errors
+    /// The device fails.
+    fn read(&self, film: Self::Film) -> Result<Film, RendererError>;
+}
 
 /// The camera as a tracer sees it.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,0 +1,46 @@
+//! Which tracer is asked for, and which one traced.
+
+use std::fmt;
+
+use serde::Serialize;
+
+/// Which tracer is asked for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Backend {
+    /// A graphics card where there is one, else the processor.
+    #[default]
+    Auto,
+    /// The processor.
+    Cpu,
+    /// The graphics device, even one made of software.
+    Gpu,
+}
+
+/// Which tracer traced.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum TracerName {
+    /// The processor.
+    Cpu {
+        /// Threads that traced.
+        threads: usize,
+    },
+    /// A graphics device.
+    Gpu {
+        /// The device as its driver names it.
+        device: String,
+        /// Whether the device is the processor in disguise.
+        is_software: bool,
+    },
+}
+
+impl fmt::Display for TracerName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Cpu { threads: 1 } => write!(f, "CPU, 1 thread"),
+            Self::Cpu { threads } => write!(f, "CPU, {threads} threads"),
+            Self::Gpu { device, is_software: false } => write!(f, "GPU, {device}"),
+            Self::Gpu { device, is_software: true } => write!(f, "GPU in software, {device}"),
+        }
+    }
+}
