@@ -8,16 +8,12 @@ use std::time::{Duration, Instant};
 use super::shared::{Shared, lock};
 use super::{GraphicsState, RenderRequest, develop_thread, render_thread};
 use crate::error::RendererError;
-use crate::tracer::{CpuTracer, Device};
+use crate::tracer::{CpuTracer, DEVICE_PANICKED, Device};
 
 /// Longest wait for shaders that are still being compiled when the session ends. A process that
 /// ends while a driver compiles may crash in it, but nobody wants to wait for long.
 const COMPILER_PATIENCE: Duration = Duration::from_secs(3);
 const COMPILER_POLL: Duration = Duration::from_millis(5);
-
-/// What the user reads where making the tracer has panicked.
-const PANICKED: &str = "the graphics device could not be prepared, which is a fault of the program \
-    or of the graphics driver; please report it with the name of the device";
 
 /// The threads behind a session; they end when this is dropped.
 pub(super) struct Threads<D: Device> {
@@ -98,7 +94,7 @@ impl<D: Device> Threads<D> {
 /// Compiles the shaders for `device`, and has the newest request traced there if it calls for it.
 fn compile<D: Device>(shared: &Shared<D>, device: &D, number: u64) {
     let prepared = catch_unwind(AssertUnwindSafe(|| device.prepare()))
-        .unwrap_or_else(|_| Err(RendererError::Graphics(PANICKED.to_owned())));
+        .unwrap_or_else(|_| Err(RendererError::Graphics(DEVICE_PANICKED.to_owned())));
     lock(&shared.graphics).finish_preparing(number, prepared);
     if shared.to_trace.is_closed() {
         return;

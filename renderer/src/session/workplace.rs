@@ -10,13 +10,11 @@ use super::shared::Shared;
 use crate::error::RendererError;
 use crate::scheduler::Scheduler;
 use crate::spectrum::Bins;
-use crate::tracer::{Device, Tracer};
+use crate::tracer::{DEVICE_PANICKED, Device, Tracer};
 
 /// What the user reads where a tracer has panicked.
 const PANICKED: &str = "the tracer failed on this scene, which is a fault of the program; \
     change a setting to try again, and please report it with the scene file";
-const PANICKED_ON_DEVICE: &str = "the GPU tracer failed, which is a fault of the program; \
-    please report it with the scene file and the name of the device";
 
 /// Why a request was not served.
 pub(super) enum Fault {
@@ -111,7 +109,7 @@ impl<T: Tracer> Workplace<T> {
                 Ok(())
             }
             Ok(Err(fault)) => Err(fault),
-            Err(_) if self.device.is_some() => Err(Fault::Device(PANICKED_ON_DEVICE.to_owned())),
+            Err(_) if self.device.is_some() => Err(Fault::Device(DEVICE_PANICKED.to_owned())),
             Err(_) => Err(Fault::Request(RendererError::Invalid(PANICKED.to_owned()))),
         }
     }

@@ -4,6 +4,10 @@ use super::{GpuTracer, Tracer};
 use crate::error::RendererError;
 use crate::gpu::Graphics;
 
+/// What the user reads where something panicked that had to do with a device.
+pub(crate) const DEVICE_PANICKED: &str = "the GPU tracer failed, which is a fault of the program \
+    or of the graphics driver; please report it with the scene file and the name of the device";
+
 /// A device that a tracer can be made for. Cloning shares it.
 pub(crate) trait Device: Clone + Send + 'static {
     /// What traces on the device.

@@ -9,7 +9,7 @@ mod gpu;
 
 pub use backend::{Backend, TracerName};
 pub use cpu::CpuTracer;
-pub(crate) use device::Device;
+pub(crate) use device::{DEVICE_PANICKED, Device};
 pub use gpu::{GpuFilm, GpuScene, GpuTracer};
 
 use glam::Vec3;
