@@ -65,7 +65,8 @@ struct PicturePainter {
 struct Shown {
     serial: u64,
     smooth: bool,
-    bindings: wgpu::BindGroup,
+    /// None where the picture is in the memory of another device.
+    bindings: Option<wgpu::BindGroup>,
 }
 
 impl PicturePainter {
@@ -83,7 +84,7 @@ impl PicturePainter {
         Self { pipeline, layout, format, shown: None }
     }
 
-    /// Brings `picture` to the graphics memory unless it is there.
+    /// Binds `picture` unless that is done; one that only the processor's memory holds is uploaded.
     fn show(
         &mut self,
         device: &wgpu::Device,
@@ -95,9 +96,29 @@ impl PicturePainter {
         if self.shown.as_ref().is_some_and(is_shown) {
             return;
         }
-        let Pixels::Rgba8(rgba8) = &picture.pixels else { return };
-        let [width, height] = picture.size;
-        let texture = device.create_texture_with_data(
+        let bindings = match &picture.pixels {
+            Pixels::Rgba8(rgba8) => {
+                let texture = self.upload(device, queue, picture.size, rgba8);
+                Some(self.bind(device, &texture, smooth))
+            }
+            // A picture of a device that is lost comes from where this device can't look.
+            Pixels::Texture(texture) => {
+                let scope = device.push_error_scope(wgpu::ErrorFilter::Validation);
+                let bindings = self.bind(device, texture, smooth);
+                pollster::block_on(scope.pop()).is_none().then_some(bindings)
+            }
+        };
+        self.shown = Some(Shown { serial: picture.serial, smooth, bindings });
+    }
+
+    fn upload(
+        &self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        [width, height]: [u32; 2],
+        rgba8: &[u8],
+    ) -> wgpu::Texture {
+        device.create_texture_with_data(
             queue,
             &wgpu::TextureDescriptor {
                 label: Some("picture"),
@@ -111,7 +132,15 @@ impl PicturePainter {
             },
             wgpu::util::TextureDataOrder::LayerMajor,
             rgba8,
-        );
+        )
+    }
+
+    fn bind(
+        &self,
+        device: &wgpu::Device,
+        texture: &wgpu::Texture,
+        smooth: bool,
+    ) -> wgpu::BindGroup {
         let filter = if smooth { wgpu::FilterMode::Linear } else { wgpu::FilterMode::Nearest };
         let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
             label: Some("picture"),
@@ -119,8 +148,13 @@ impl PicturePainter {
             min_filter: filter,
             ..wgpu::SamplerDescriptor::default()
         });
-        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-        let bindings = device.create_bind_group(&wgpu::BindGroupDescriptor {
+        let view = texture.create_view(&wgpu::TextureViewDescriptor {
+            label: Some("picture"),
+            format: Some(self.format),
+            usage: Some(wgpu::TextureUsages::TEXTURE_BINDING),
+            ..wgpu::TextureViewDescriptor::default()
+        });
+        device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("picture"),
             layout: &self.layout,
             entries: &[
@@ -133,14 +167,13 @@ impl PicturePainter {
                     resource: wgpu::BindingResource::Sampler(&sampler),
                 },
             ],
-        });
-        self.shown = Some(Shown { serial: picture.serial, smooth, bindings });
+        })
     }
 
     fn paint(&self, pass: &mut wgpu::RenderPass<'static>) {
-        if let Some(shown) = &self.shown {
+        if let Some(bindings) = self.shown.as_ref().and_then(|shown| shown.bindings.as_ref()) {
             pass.set_pipeline(&self.pipeline);
-            pass.set_bind_group(0, &shown.bindings, &[]);
+            pass.set_bind_group(0, bindings, &[]);
             pass.draw(0..3, 0..1);
         }
     }
