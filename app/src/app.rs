@@ -122,6 +122,11 @@ impl App {
         self.title.clear();
     }
 
+    /// The context of the window that it is in, once there is one.
+    pub fn window(&self) -> Option<egui::Context> {
+        self.live.waker().window()
+    }
+
     /// The document as it is now.
     pub fn document(&self) -> &Document {
         &self.editor.document

@@ -65,8 +65,7 @@ struct PicturePainter {
 struct Shown {
     serial: u64,
     smooth: bool,
-    /// None where the picture is in the memory of another device.
-    bindings: Option<wgpu::BindGroup>,
+    bindings: wgpu::BindGroup,
 }
 
 impl PicturePainter {
@@ -99,14 +98,10 @@ impl PicturePainter {
         let bindings = match &picture.pixels {
             Pixels::Rgba8(rgba8) => {
                 let texture = self.upload(device, queue, picture.size, rgba8);
-                Some(self.bind(device, &texture, smooth))
+                self.bind(device, &texture, smooth)
             }
-            // A picture of a device that is lost comes from where this device can't look.
-            Pixels::Texture(texture) => {
-                let scope = device.push_error_scope(wgpu::ErrorFilter::Validation);
-                let bindings = self.bind(device, texture, smooth);
-                pollster::block_on(scope.pop()).is_none().then_some(bindings)
-            }
+            // Of this device: the session drops the pictures of a device that another replaces.
+            Pixels::Texture(texture) => self.bind(device, texture, smooth),
         };
         self.shown = Some(Shown { serial: picture.serial, smooth, bindings });
     }
@@ -171,9 +166,9 @@ impl PicturePainter {
     }
 
     fn paint(&self, pass: &mut wgpu::RenderPass<'static>) {
-        if let Some(bindings) = self.shown.as_ref().and_then(|shown| shown.bindings.as_ref()) {
+        if let Some(shown) = &self.shown {
             pass.set_pipeline(&self.pipeline);
-            pass.set_bind_group(0, bindings, &[]);
+            pass.set_bind_group(0, &shown.bindings, &[]);
             pass.draw(0..3, 0..1);
         }
     }

@@ -140,6 +140,18 @@ impl App {
         folder.join(format!("{}.{extension}", self.editor.stem()))
     }
 
+    /// Writes what is not saved beside other temporary files, for when the program has to end
+    /// without asking. None if everything is saved.
+    ///
+    /// # Errors
+    /// The file can't be written.
+    pub fn rescue(&self) -> Option<Result<PathBuf, RendererError>> {
+        let file = format!("{} {}.toml", self.editor.stem(), std::process::id());
+        let path = std::env::temp_dir().join(file);
+        let edited = self.editor.edited();
+        edited.then(|| self.document_to_save().save(&path).map(|()| path))
+    }
+
     /// Takes the answer of a path dialog.
     pub(super) fn take_path(&mut self, purpose: Purpose, path: PathBuf) {
         match purpose {

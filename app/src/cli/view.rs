@@ -4,6 +4,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use anyhow::{anyhow, bail};
+use brilliance_renderer::tracer::Backend;
 
 use crate::opening::Opening;
 use crate::window;
@@ -22,7 +23,7 @@ pub(super) fn view(file: Option<&Path>, started: Instant) -> anyhow::Result<()> 
     if display_is_missing() {
         bail!("there is no display to open a window on; {RENDER_WITHOUT}");
     }
-    window::open(opening, started).map_err(|error| anyhow!("{error}; {RENDER_WITHOUT}"))
+    window::open(opening, Backend::Auto, started).map_err(|error| anyhow!("{error}; {RENDER_WITHOUT}"))
 }
 
 /// Whether this is a system whose windows need a display server, and none is named.
