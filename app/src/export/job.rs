@@ -12,9 +12,9 @@ use brilliance_renderer::settings::DisplaySettings;
 use brilliance_renderer::still::{Still, StillFormat, StillLimits};
 use brilliance_renderer::tracer::TracerName;
 use brilliance_renderer::whole_file;
-use eframe::egui;
 
 use crate::task::{Task, TaskState};
+use crate::waker::Waker;
 
 /// Everything that makes a still.
 #[derive(Clone, Debug)]
@@ -90,13 +90,13 @@ impl RunningJob {
     pub(super) fn start(
         job: StillJob,
         render: &RenderStill,
-        ctx: &egui::Context,
+        waker: &Waker,
     ) -> std::io::Result<Self> {
         let (passes, cancel) = (Arc::new(AtomicU32::new(0)), Arc::new(AtomicBool::new(false)));
         let (path, pass_limit) = (job.path.clone(), job.request.pass_limit);
-        let (render, repaint) = (Arc::clone(render), ctx.clone());
+        let (render, repaint) = (Arc::clone(render), waker.clone());
         let (done, cancelled) = (Arc::clone(&passes), Arc::clone(&cancel));
-        let task = Task::spawn("export", ctx, move || {
+        let task = Task::spawn("export", waker, move || {
             render(&job, &cancelled, &mut |passes| {
                 done.store(passes, Ordering::Relaxed);
                 repaint.request_repaint();

@@ -20,6 +20,7 @@ use crate::row::readout;
 use crate::status::duration;
 use crate::task::TaskState;
 use crate::theme;
+use crate::waker::Waker;
 
 const FAILED: &str = "Export failed";
 
@@ -91,8 +92,8 @@ impl ExportWindow {
     }
 
     /// Starts `job`.
-    pub fn start(&mut self, job: StillJob, ctx: &egui::Context, notices: &mut Notices) {
-        match RunningJob::start(job, &self.render, ctx) {
+    pub fn start(&mut self, job: StillJob, waker: &Waker, notices: &mut Notices) {
+        match RunningJob::start(job, &self.render, waker) {
             Ok(running) => {
                 notices.withdraw(FAILED);
                 self.running = Some(running);
