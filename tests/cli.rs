@@ -331,7 +331,7 @@ fn an_interrupt_leaves_no_picture() {
     use std::time::{Duration, Instant};
 
     let folder = folder_with_scene();
-    let arguments = "render stone.toml --size 640x400 --passes 1000000 -o a.png";
+    let arguments = "render stone.toml --backend cpu --size 640x400 --passes 1000000 -o a.png";
     let mut child = Command::new(env!("CARGO_BIN_EXE_brilliance"))
         .args(arguments.split_whitespace())
         .current_dir(folder.path())
