@@ -1,6 +1,14 @@
-//! A graphics device, and what is common to all that runs on it.
+//! A graphics device, and what is common to all that runs on it: opening it, noticing that it
+//! failed, waiting for it and reading back.
 
-use std::sync::Arc;
+mod adapter;
+mod fault;
+mod readback;
+mod wait;
+
+use std::sync::{Arc, OnceLock};
+
+pub(crate) use readback::Readback;
 
 use crate::error::RendererError;
 
@@ -15,6 +23,8 @@ struct Shared {
     device: wgpu::Device,
     queue: wgpu::Queue,
     info: wgpu::AdapterInfo,
+    /// Why the device is gone; unset while it works.
+    loss: Arc<OnceLock<String>>,
 }
 
 impl Graphics {
@@ -23,13 +33,24 @@ impl Graphics {
     /// # Errors
     /// There is no such device, or it can't be opened.
     pub fn open(allow_software: bool) -> Result<Self, RendererError> {
-        let _ = allow_software;
-        Err(RendererError::Graphics("no graphics device was found".to_owned()))
+        let (device, queue, info) = adapter::open(allow_software)?;
+        Ok(Self::share(&device, &queue, info))
     }
 
-    /// Shares the device that a window draws with.
+    /// Shares the device that a window draws with. Its errors are logged from now on, where wgpu's
+    /// own answer to them is a panic.
     pub fn share(device: &wgpu::Device, queue: &wgpu::Queue, info: wgpu::AdapterInfo) -> Self {
-        Self { shared: Arc::new(Shared { device: device.clone(), queue: queue.clone(), info }) }
+        device.on_uncaptured_error(Arc::new(|error| log::error!("graphics: {error}")));
+        let loss = Arc::new(OnceLock::new());
+        device.set_device_lost_callback({
+            let loss = Arc::clone(&loss);
+            move |reason, text| {
+                // A second reason adds nothing to the first.
+                let _ = loss.set(fault::loss_text(reason, &text));
+            }
+        });
+        let (device, queue) = (device.clone(), queue.clone());
+        Self { shared: Arc::new(Shared { device, queue, info, loss }) }
     }
 
     /// The device as its driver names it.
@@ -37,9 +58,14 @@ impl Graphics {
         &self.shared.info.name
     }
 
+    /// What kind of device it is.
+    pub fn device_type(&self) -> wgpu::DeviceType {
+        self.shared.info.device_type
+    }
+
     /// Whether the device is the processor in disguise.
     pub fn is_software(&self) -> bool {
-        self.shared.info.device_type == wgpu::DeviceType::Cpu
+        self.device_type() == wgpu::DeviceType::Cpu
     }
 
     /// The device.
@@ -50,5 +76,10 @@ impl Graphics {
     /// The device's queue.
     pub fn queue(&self) -> &wgpu::Queue {
         &self.shared.queue
+    }
+
+    /// Why the device is gone, once that is known.
+    pub fn loss(&self) -> Option<&str> {
+        self.shared.loss.get().map(String::as_str)
     }
 }

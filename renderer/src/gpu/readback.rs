@@ -1,0 +1,153 @@
+//! From the device's memory to the processor's.
+
+use std::sync::mpsc::{Receiver, channel};
+
+use wgpu::{BufferUsages, Extent3d, MapMode, TexelCopyBufferInfo, TexelCopyBufferLayout};
+
+use super::Graphics;
+use crate::error::RendererError;
+
+/// Most bytes that are fetched at a time, which bounds the memory in between.
+const CHUNK_BYTES: u64 = 32 << 20;
+
+/// A buffer that the processor can read, and the device's word when its content is there.
+pub(crate) struct Readback {
+    buffer: wgpu::Buffer,
+    arrival: Option<Receiver<Result<(), wgpu::BufferAsyncError>>>,
+}
+
+impl Readback {
+    /// A buffer of `size` bytes, a multiple of 4.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub(crate) fn new(graphics: &Graphics, size: u64) -> Result<Self, RendererError> {
+        let descriptor = wgpu::BufferDescriptor {
+            label: Some("readback"),
+            size,
+            usage: BufferUsages::MAP_READ | BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        };
+        let buffer =
+            graphics.guard("make a buffer to read from", |d| d.create_buffer(&descriptor))?;
+        Ok(Self { buffer, arrival: None })
+    }
+
+    /// The buffer, to copy to before [`request`](Self::request).
+    pub(crate) fn buffer(&self) -> &wgpu::Buffer {
+        &self.buffer
+    }
+
+    /// Asks for the content as all that was submitted so far will leave it.
+    pub(crate) fn request(&mut self) {
+        let (sender, arrival) = channel();
+        self.buffer.map_async(MapMode::Read, .., move |result| {
+            // Nobody listens any more where the wait was given up.
+            let _ = sender.send(result);
+        });
+        self.arrival = Some(arrival);
+    }
+
+    /// Waits for the content that was asked for and lets `read` see it.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub(crate) fn receive<T>(
+        &mut self,
+        graphics: &Graphics,
+        read: impl FnOnce(&[u8]) -> T,
+    ) -> Result<T, RendererError> {
+        let unreadable = |text: String| {
+            RendererError::Graphics(format!(
+                "the graphics device {} can't hand over its results: {text}",
+                graphics.name()
+            ))
+        };
+        let arrival = self.arrival.take();
+        let arrival = arrival.ok_or_else(|| unreadable("none were asked for".to_owned()))?;
+        graphics.wait(&arrival)?.map_err(|error| unreadable(error.to_string()))?;
+        let view = self.buffer.get_mapped_range(..);
+        let view = view.map_err(|error| unreadable(error.to_string()))?;
+        let seen = read(&view);
+        drop(view);
+        self.buffer.unmap();
+        Ok(seen)
+    }
+}
+
+impl Graphics {
+    /// The bytes of a buffer with usage `COPY_SRC` and a size that is a multiple of 4.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn read_buffer(&self, buffer: &wgpu::Buffer) -> Result<Vec<u8>, RendererError> {
+        let mut bytes = Vec::with_capacity(buffer.size() as usize);
+        let mut chunk = Readback::new(self, buffer.size().min(CHUNK_BYTES))?;
+        let mut start = 0;
+        while start < buffer.size() {
+            let size = (buffer.size() - start).min(CHUNK_BYTES);
+            self.copy("read a buffer", |encoder| {
+                encoder.copy_buffer_to_buffer(buffer, start, chunk.buffer(), 0, size);
+            })?;
+            chunk.request();
+            chunk.receive(self, |content| bytes.extend_from_slice(&content[..size as usize]))?;
+            start += size;
+        }
+        Ok(bytes)
+    }
+
+    /// The texels of a two-dimensional texture with usage `COPY_SRC`, row by row from the top,
+    /// without anything between the rows.
+    ///
+    /// # Errors
+    /// The device fails, or the texture's format has no texels of a fixed size.
+    pub fn read_texture(&self, texture: &wgpu::Texture) -> Result<Vec<u8>, RendererError> {
+        let format = texture.format();
+        let texel = format.block_copy_size(None).ok_or_else(|| {
+            RendererError::Graphics(format!("a texture of format {format:?} can't be read"))
+        })?;
+        let (width, height) = (texture.width(), texture.height());
+        let row = width * texel;
+        let padded_row = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+        let rows_at_a_time = (CHUNK_BYTES as u32 / padded_row).clamp(1, height);
+        let mut texels = Vec::with_capacity(row as usize * height as usize);
+        let mut chunk = Readback::new(self, u64::from(padded_row) * u64::from(rows_at_a_time))?;
+        let mut first = 0;
+        while first < height {
+            let rows = (height - first).min(rows_at_a_time);
+            let mut source = texture.as_image_copy();
+            source.origin.y = first;
+            let layout = TexelCopyBufferLayout {
+                offset: 0,
+                bytes_per_row: Some(padded_row),
+                rows_per_image: None,
+            };
+            let size = Extent3d { width, height: rows, depth_or_array_layers: 1 };
+            self.copy("read a texture", |encoder| {
+                let target = TexelCopyBufferInfo { buffer: chunk.buffer(), layout };
+                encoder.copy_texture_to_buffer(source, target, size);
+            })?;
+            chunk.request();
+            chunk.receive(self, |content| {
+                for padded in content.chunks_exact(padded_row as usize).take(rows as usize) {
+                    texels.extend_from_slice(&padded[..row as usize]);
+                }
+            })?;
+            first += rows;
+        }
+        Ok(texels)
+    }
+
+    fn copy(
+        &self,
+        what: &str,
+        encode: impl FnOnce(&mut wgpu::CommandEncoder),
+    ) -> Result<(), RendererError> {
+        self.guard(what, |device| {
+            let mut encoder =
+                device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+            encode(&mut encoder);
+            self.queue().submit([encoder.finish()]);
+        })
+    }
+}
