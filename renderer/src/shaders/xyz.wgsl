@@ -21,14 +21,14 @@ struct Rows {
 fn from_film(pixel: u32) -> vec3f {
     let start = pixel * rows.bin_count;
     var xyz = vec3f();
+    var is_color = true;
     for (var bin = 0u; bin < rows.bin_count; bin++) {
         let sum = film[start + bin];
-        if !is_finite(sum) {
-            return vec3f();
-        }
+        is_color &= is_finite(sum);
         xyz += weights[bin] * bitcast<f32>(sum);
     }
-    return select(vec3f(), xyz, is_finite(bitcast<u32>(xyz.x + xyz.y + xyz.z)));
+    is_color &= is_finite(bitcast<u32>(xyz.x + xyz.y + xyz.z));
+    return select(vec3f(), xyz, is_color);
 }
 
 @compute @workgroup_size(WORKGROUP_SIDE, WORKGROUP_SIDE)
