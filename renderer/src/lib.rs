@@ -21,6 +21,7 @@ pub mod scene_file;
 pub mod scheduler;
 pub mod session;
 pub mod settings;
+pub mod shaders;
 pub mod solid;
 pub mod spectrum;
 pub mod statistics;

@@ -229,10 +229,9 @@ impl PackedScene {
         &self.materials[self.instances[instance as usize].material as usize]
     }
 
-    /// The values of row `row`, one per bin.
+    /// The mean of row `row` over `bin`.
     #[inline]
-    pub fn spectrum(&self, row: u32) -> &[f32] {
-        let start = row as usize * self.bins.count();
-        &self.spectra[start..start + self.bins.count()]
+    pub fn spectrum_value(&self, row: u32, bin: u32) -> f32 {
+        self.spectra[row as usize * self.bins.count() + bin as usize]
     }
 }

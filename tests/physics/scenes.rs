@@ -6,7 +6,8 @@ use std::sync::atomic::AtomicBool;
 use brilliance_renderer::camera::Camera;
 use brilliance_renderer::cuts::RoundBrilliant;
 use brilliance_renderer::kernel::ray::Ray;
-use brilliance_renderer::kernel::trace::{Pass, RayStack, Tally, trace};
+use brilliance_renderer::kernel::trace::trace;
+use brilliance_renderer::kernel::walk::{RayStack, Tally, TraceRules, Walk};
 use brilliance_renderer::light::{DiscLight, Lights, SkyLight};
 use brilliance_renderer::material::{Dielectric, Dispersion, Material};
 use brilliance_renderer::packed::PackedScene;
@@ -121,14 +122,14 @@ pub(crate) fn close_camera(width_mm: f32) -> Camera {
     Camera { fov_y_radians: 2.0 * (0.5 * width_mm / distance).atan(), ..camera }
 }
 
-pub(crate) fn pass(settings: &TraceSettings) -> Pass {
-    Pass {
-        index: 0,
+fn rules(settings: &TraceSettings) -> TraceRules {
+    TraceRules {
+        observer: Vec3::Z,
         split_count: settings.split_count,
         significance_threshold: settings.significance_threshold,
         max_depth: settings.max_depth,
-        perturb: settings.perturb,
-        observer: Vec3::Z,
+        perturb: u32::from(settings.perturb),
+        padding: 0,
     }
 }
 
@@ -137,7 +138,10 @@ pub(crate) fn trace_ray(scene: &Scene, settings: &TraceSettings, ray: &Ray) -> (
     let bins = Bins::new(settings.bins);
     let packed = PackedScene::new(scene, bins).expect("the scene packs");
     let mut pixel = vec![0.0; bins.count()];
-    let tally = trace(&packed, &pass(settings), ray, 1, &mut RayStack::new(), &mut pixel);
+    let (rules, mut stack) = (rules(settings), RayStack::new());
+    let mut walk = Walk::new(&packed, &rules, 0, 1, &mut stack, &mut pixel);
+    trace(&mut walk, ray);
+    let tally = walk.tally;
     (pixel, tally)
 }
 

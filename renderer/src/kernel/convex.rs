@@ -7,8 +7,7 @@
 use glam::Vec3;
 use pulp::{Arch, Simd, WithSimd};
 
-use crate::kernel::intersect::TOUCHING_MM;
-use crate::kernel::ray::{Hit, Ray};
+use crate::kernel::ray::{Hit, Ray, TOUCHING_MM};
 use crate::packed::{Instance, NONE, PLANE_LANES, PackedScene};
 
 /// Numbers the planes that are tested at a time.
@@ -23,7 +22,7 @@ const NO_FACET: f32 = -1.0;
 /// `left_facet`, the one that the ray has just left, or [`NONE`], is excluded: a ray can't meet a
 /// plane twice.
 #[inline]
-pub fn exit(scene: &PackedScene, instance: &Instance, ray: &Ray, left_facet: u32) -> Hit {
+pub fn leave_convex(scene: &PackedScene, instance: &Instance, ray: &Ray, left_facet: u32) -> Hit {
     let planes = Planes::of(scene, instance);
     let left_facet = if left_facet == NONE { NO_FACET } else { left_facet as f32 };
     let crossing = Arch::new().dispatch(NearestExit { planes, ray, left_facet });
@@ -35,7 +34,7 @@ pub fn exit(scene: &PackedScene, instance: &Instance, ray: &Ray, left_facet: u32
 
 /// Where a ray from outside enters the solid. One that starts on its surface enters there.
 #[inline]
-pub fn entry(scene: &PackedScene, instance: &Instance, ray: &Ray) -> Hit {
+pub fn enter_convex(scene: &PackedScene, instance: &Instance, ray: &Ray) -> Hit {
     let planes = Planes::of(scene, instance);
     let (entry, exit_distance) = Arch::new().dispatch(FarthestEntry { planes, ray });
     let distance = entry.distance.max(0.0);

@@ -8,7 +8,7 @@ use crate::kernel::deposit::deposit;
 use crate::kernel::intersect::is_occluded;
 use crate::kernel::ray::{GROUND, Hit, Ray};
 use crate::kernel::rng;
-use crate::kernel::trace::Walk;
+use crate::kernel::walk::Walk;
 use crate::packed::{NONE, PackedDisc};
 
 /// Deposits the light that the surface at `hit` sends back along `ray`, which ends there.
@@ -21,7 +21,7 @@ pub fn shade_diffuse(walk: &mut Walk<'_>, ray: &Ray, hit: &Hit) {
     let reflectance = reflectance_at(walk, ray, hit);
     let normal = if ray.direction.dot(hit.normal) > 0.0 { -hit.normal } else { hit.normal };
     for disc in &scene.discs {
-        let sample = rng::light_sample(walk.next_seed(), walk.pass.index);
+        let sample = rng::light_sample(walk.next_seed(), walk.pass_index);
         let direction = direction_on_disc(disc, sample);
         let cos = direction.dot(normal);
         if cos > 0.0 && !is_shadowed(walk, ray, hit, direction) {
@@ -33,7 +33,7 @@ pub fn shade_diffuse(walk: &mut Walk<'_>, ray: &Ray, hit: &Hit) {
     if sky.hemisphere == NONE && sky.environment == NONE {
         return;
     }
-    let sample = rng::light_sample(walk.next_seed(), walk.pass.index);
+    let sample = rng::light_sample(walk.next_seed(), walk.pass_index);
     let direction = direction_by_cosine(normal, sample);
     if is_shadowed(walk, ray, hit, direction) {
         return;
@@ -55,8 +55,8 @@ fn reflectance_at(walk: &Walk<'_>, ray: &Ray, hit: &Hit) -> u32 {
     }
     let square_x = (ray.origin.x / scene.ground.square).floor();
     let square_y = (ray.origin.y / scene.ground.square).floor();
-    let parity = (square_x + square_y) * 0.5;
-    let is_odd = parity.fract() != 0.0;
+    let half = (square_x + square_y) * 0.5;
+    let is_odd = half != half.floor();
     scene.ground.reflectance[usize::from(is_odd)]
 }
 
@@ -69,6 +69,19 @@ fn is_shadowed(walk: &mut Walk<'_>, ray: &Ray, hit: &Hit, direction: Vec3) -> bo
     is_occluded(walk.scene, &shadow_ray)
 }
 
+/// Two unit vectors at right angles to the unit vector `normal` and to each other (Duff et al.
+/// 2017).
+#[inline]
+fn orthonormal_pair(normal: Vec3) -> (Vec3, Vec3) {
+    let sign = if normal.z < 0.0 { -1.0 } else { 1.0 };
+    let a = -1.0 / (sign + normal.z);
+    let b = normal.x * normal.y * a;
+    (
+        Vec3::new(1.0 + sign * normal.x * normal.x * a, sign * b, -sign * normal.x),
+        Vec3::new(b, sign + normal.y * normal.y * a, -normal.y),
+    )
+}
+
 /// A direction evenly distributed over the disc's solid angle.
 #[inline]
 fn direction_on_disc(disc: &PackedDisc, [u, v]: [f32; 2]) -> Vec3 {
@@ -77,7 +90,7 @@ fn direction_on_disc(disc: &PackedDisc, [u, v]: [f32; 2]) -> Vec3 {
     let fall = u * height;
     let sin = (fall * (2.0 - fall)).max(0.0).sqrt();
     let (sin_azimuth, cos_azimuth) = (TAU * v).sin_cos();
-    let (tangent, bitangent) = disc.direction.any_orthonormal_pair();
+    let (tangent, bitangent) = orthonormal_pair(disc.direction);
     (tangent * (sin * cos_azimuth)
         + bitangent * (sin * sin_azimuth)
         + disc.direction * (1.0 - fall))
@@ -89,7 +102,7 @@ fn direction_on_disc(disc: &PackedDisc, [u, v]: [f32; 2]) -> Vec3 {
 fn direction_by_cosine(normal: Vec3, [u, v]: [f32; 2]) -> Vec3 {
     let (sin_azimuth, cos_azimuth) = (TAU * v).sin_cos();
     let radius = u.sqrt();
-    let (tangent, bitangent) = normal.any_orthonormal_pair();
+    let (tangent, bitangent) = orthonormal_pair(normal);
     (tangent * (radius * cos_azimuth)
         + bitangent * (radius * sin_azimuth)
         + normal * (1.0 - u).max(0.0).sqrt())

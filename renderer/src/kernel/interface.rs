@@ -8,7 +8,7 @@ use crate::packed::{INDEX_TABLE_LEN, NONE, PackedScene};
 use crate::spectrum::LAMBDA_MIN_NM;
 
 /// Halvings of an interval in search of the critical wavelength: 350 nm / 2²⁰ is 0.0003 nm.
-const BISECTIONS: u32 = 20;
+pub(crate) const BISECTIONS: u32 = 20;
 
 /// An interface as a ray meets it.
 #[derive(Clone, Copy, Debug)]
@@ -36,9 +36,9 @@ pub fn index_of_refraction(scene: &PackedScene, medium: u32, lambda_nm: f32) -> 
 
 /// Relative index n₁/n₂ of the interface at `lambda_nm`.
 #[inline]
-pub fn relative_index(scene: &PackedScene, interface: &Interface, lambda_nm: f32) -> f32 {
-    index_of_refraction(scene, interface.medium_from, lambda_nm)
-        / index_of_refraction(scene, interface.medium_to, lambda_nm)
+pub fn relative_index(scene: &PackedScene, at: &Interface, lambda_nm: f32) -> f32 {
+    index_of_refraction(scene, at.medium_from, lambda_nm)
+        / index_of_refraction(scene, at.medium_to, lambda_nm)
 }
 
 /// `direction` mirrored at a plane with unit `normal`.
@@ -82,13 +82,13 @@ pub fn fresnel(cos_i: f32, cos_t: f32, eta: f32) -> f32 {
 #[inline]
 pub fn is_totally_reflected(
     scene: &PackedScene,
-    interface: &Interface,
+    at: &Interface,
     direction: Vec3,
     lambda_nm: f32,
 ) -> bool {
-    let n_from = index_of_refraction(scene, interface.medium_from, lambda_nm);
-    let n_to = index_of_refraction(scene, interface.medium_to, lambda_nm);
-    let along_normal = direction.dot(interface.normal);
+    let n_from = index_of_refraction(scene, at.medium_from, lambda_nm);
+    let n_to = index_of_refraction(scene, at.medium_to, lambda_nm);
+    let along_normal = direction.dot(at.normal);
     let length_squared = direction.length_squared();
     let sideways_squared = length_squared - along_normal * along_normal;
     n_from * n_from * sideways_squared >= n_to * n_to * length_squared
@@ -101,7 +101,7 @@ pub fn is_totally_reflected(
 #[inline]
 pub fn find_total_refl_wave(
     scene: &PackedScene,
-    interface: &Interface,
+    at: &Interface,
     ray: &Ray,
     low_is_reflected: bool,
 ) -> f32 {
@@ -112,7 +112,7 @@ pub fn find_total_refl_wave(
     };
     for _ in 0..BISECTIONS {
         let middle_nm = 0.5 * (reflected_nm + refracted_nm);
-        if is_totally_reflected(scene, interface, fan_at(ray, middle_nm), middle_nm) {
+        if is_totally_reflected(scene, at, fan_at(ray, middle_nm), middle_nm) {
             reflected_nm = middle_nm;
         } else {
             refracted_nm = middle_nm;

@@ -1,19 +1,18 @@
 //! The nearest surface along a ray, over all bodies and the ground.
 
+use glam::Vec3;
+
 use crate::accel::MAX_DEPTH;
-use crate::kernel::convex;
-use crate::kernel::mesh::{self, BoxRay, Sides};
-use crate::kernel::ray::{GROUND, Hit, Ray};
+use crate::kernel::convex::{enter_convex, leave_convex};
+use crate::kernel::mesh::{BoxRay, Sides, meet_mesh};
+use crate::kernel::ray::{FAR, GROUND, Hit, Ray, TOUCHING_MM};
 use crate::packed::{CONVEX, Instance, NONE, PackedScene};
 
 /// Top-level nodes that can wait at once: one per level, and the one to look at.
-const TOP_STACK: usize = MAX_DEPTH + 1;
+pub(crate) const TOP_STACK: usize = MAX_DEPTH + 1;
 
 /// How far, as a part of the way to the middle of the body, a lost ray is moved inwards.
-const NUDGE: f32 = 1e-5;
-
-/// A surface this close to another, in mm, touches it: rounding must not decide which is met.
-pub const TOUCHING_MM: f32 = 1e-4;
+pub(crate) const NUDGE: f32 = 1e-5;
 
 /// The nearest surface along `ray`; [`Hit::MISS`] where there is none.
 ///
@@ -22,15 +21,18 @@ pub const TOUCHING_MM: f32 = 1e-4;
 pub fn find_intersection(scene: &PackedScene, ray: &Ray) -> Hit {
     let mut own = Hit::MISS;
     if ray.medium != NONE {
-        own = meet_instance(scene, ray, ray.medium, f32::INFINITY);
+        own = meet_instance(scene, ray, ray.medium, FAR);
         if scene.instances[ray.medium as usize].interior_is_clear == 1 {
             return own;
         }
     }
     let ground = meet_ground(scene, ray);
-    let nearest = if ground.distance < own.distance - TOUCHING_MM { ground } else { own };
-    let limit =
-        if nearest.instance == GROUND { ground.distance } else { own.distance - TOUCHING_MM };
+    let mut nearest = own;
+    let mut limit = own.distance - TOUCHING_MM;
+    if ground.distance < limit {
+        nearest = ground;
+        limit = ground.distance;
+    }
     let other = meet_bodies(scene, ray, limit, false);
     if other.instance == NONE { nearest } else { other }
 }
@@ -38,8 +40,7 @@ pub fn find_intersection(scene: &PackedScene, ray: &Ray) -> Hit {
 /// Whether anything stands in the way of `ray`.
 #[inline]
 pub fn is_occluded(scene: &PackedScene, ray: &Ray) -> bool {
-    meet_ground(scene, ray).instance != NONE
-        || meet_bodies(scene, ray, f32::INFINITY, true).instance != NONE
+    meet_ground(scene, ray).instance != NONE || meet_bodies(scene, ray, FAR, true).instance != NONE
 }
 
 /// A ray that a mesh seems not to let out, tried again from slightly further inside.
@@ -47,7 +48,7 @@ pub fn is_occluded(scene: &PackedScene, ray: &Ray) -> bool {
 pub fn find_lost_exit(scene: &PackedScene, ray: &Ray) -> Hit {
     let center = scene.instances[ray.medium as usize].center;
     let nudged = Ray { origin: ray.origin + (center - ray.origin) * NUDGE, facet: NONE, ..*ray };
-    meet_instance(scene, &nudged, ray.medium, f32::INFINITY)
+    meet_instance(scene, &nudged, ray.medium, FAR)
 }
 
 /// The nearest body, or with `any` the first that is found.
@@ -63,7 +64,7 @@ fn meet_bodies(scene: &PackedScene, ray: &Ray, limit: f32, any: bool) -> Hit {
     while count > 0 {
         count -= 1;
         let node = &scene.top_nodes[stack[count] as usize];
-        if box_ray.entry(node, nearest.distance) == f32::INFINITY {
+        if box_ray.box_entry(node, nearest.distance) == FAR {
             continue;
         }
         if node.primitive_count == 0 {
@@ -98,15 +99,15 @@ fn meet_instance(scene: &PackedScene, ray: &Ray, index: u32, limit: f32) -> Hit 
     let left_facet = if has_left_it { ray.facet } else { NONE };
     let mut hit = if instance.kind == CONVEX {
         if is_inside {
-            convex::exit(scene, instance, ray, left_facet)
+            leave_convex(scene, instance, ray, left_facet)
         } else if has_left_it {
             // What leaves a convex solid does not come back.
             Hit::MISS
         } else {
-            convex::entry(scene, instance, ray)
+            enter_convex(scene, instance, ray)
         }
     } else {
-        mesh::nearest(scene, instance, ray, left_facet, sides(scene, instance, is_inside), limit)
+        meet_mesh(scene, instance, ray, left_facet, sides(scene, instance, is_inside), limit)
     };
     if hit.facet != NONE {
         hit.instance = index;
@@ -131,12 +132,12 @@ fn meet_ground(scene: &PackedScene, ray: &Ray) -> Hit {
         return Hit::MISS;
     }
     let height = scene.ground.height - ray.origin.z;
-    let distance = height / ray.direction.z;
     // What leaves a body that rests on the ground starts on it, or a rounding error below.
     let is_touching = ray.direction.z < 0.0 && height.abs() < TOUCHING_MM;
-    if is_touching || (distance > 0.0 && distance.is_finite()) {
-        Hit { distance: distance.max(0.0), instance: GROUND, facet: 0, normal: glam::Vec3::Z }
-    } else {
-        Hit::MISS
+    let is_ahead = height * ray.direction.z > 0.0;
+    if !is_touching && !is_ahead {
+        return Hit::MISS;
     }
+    let distance = (height / ray.direction.z).max(0.0);
+    Hit { distance, instance: GROUND, facet: 0, normal: Vec3::Z }
 }

@@ -4,7 +4,7 @@ use glam::Vec3;
 
 use crate::kernel::deposit::deposit;
 use crate::kernel::ray::Ray;
-use crate::kernel::trace::Walk;
+use crate::kernel::walk::Walk;
 use crate::packed::{NONE, PackedDisc};
 
 /// A cone of directions: a light's disc or the observer's shadow.
@@ -43,19 +43,31 @@ pub fn overlap_amount(ray: &Ray, cone: &Cone) -> f32 {
     let a = sideways.length_squared() - cone.sin_squared_radius * spread_squared;
     let b = off_center.dot(sideways) - cone.sin_squared_radius * ray.direction.dot(ray.spread);
     let drift = ray.spread.dot(cone.center);
-    let is_inside = |u: f32| a * u * u + 2.0 * b * u + c <= 0.0 && along + u * drift >= 0.0;
     // The fan is cut where it crosses the edge; each part is inside or outside as its middle is.
-    let q = -(b + (b * b - a * c).max(0.0).sqrt().copysign(b));
-    let cut = |u: f32| if u.is_nan() { 1.0 } else { u.clamp(-1.0, 1.0) };
-    let (first, second) = (cut(q / a), cut(c / q));
+    let root = (b * b - a * c).max(0.0).sqrt();
+    let q = if b < 0.0 { root - b } else { -root - b };
+    let (first, second) = (cut_at(q, a), cut_at(c, q));
     let cuts = [-1.0, first.min(second), first.max(second), 1.0];
     let mut inside = 0.0;
     for i in 0..3 {
-        if is_inside(0.5 * (cuts[i] + cuts[i + 1])) {
+        let u = 0.5 * (cuts[i] + cuts[i + 1]);
+        if a * u * u + 2.0 * b * u + c <= 0.0 && along + u * drift >= 0.0 {
             inside += cuts[i + 1] - cuts[i];
         }
     }
     0.5 * inside
+}
+
+/// The quotient, brought into −1..=1 without dividing by what is too small for it.
+#[inline]
+fn cut_at(numerator: f32, denominator: f32) -> f32 {
+    if numerator.abs() < denominator.abs() {
+        numerator / denominator
+    } else if (numerator < 0.0) == (denominator < 0.0) {
+        1.0
+    } else {
+        -1.0
+    }
 }
 
 /// The part of the ray's fan, in 0..=1, that points into the upper half space.
@@ -102,7 +114,7 @@ pub fn ray_light(walk: &mut Walk<'_>, ray: &Ray) {
     let mut visible = 1.0;
     if sky.sin_squared_observer_shadow > 0.0 {
         let head = Cone {
-            center: walk.pass.observer,
+            center: walk.rules.observer,
             cos_radius: sky.cos_observer_shadow,
             sin_squared_radius: sky.sin_squared_observer_shadow,
         };

@@ -3,14 +3,17 @@
 use glam::Vec3;
 
 use crate::accel::MAX_DEPTH;
-use crate::kernel::ray::{Hit, Ray};
+use crate::kernel::ray::{FAR, Hit, Ray};
 use crate::packed::{BvhNode, Instance, NONE, PackedScene, PackedTriangle};
 
 /// Nodes that can wait at once: one per level.
-const NODE_STACK: usize = MAX_DEPTH;
+pub(crate) const NODE_STACK: usize = MAX_DEPTH;
 
 /// Enlarges the far end of a slab so that rounding can't skip a box (Ize 2013).
-const SLAB_ROUNDING: f32 = 1.000_000_4;
+pub(crate) const SLAB_ROUNDING: f32 = 1.000_000_4;
+
+/// Component of a direction below which it runs along the sides of a box.
+pub(crate) const PARALLEL: f32 = 1e-20;
 
 /// Which side of a surface may be met.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,19 +37,21 @@ impl BoxRay {
     /// For a ray from `origin` along `direction`, which may have zero components.
     #[inline]
     pub fn new(origin: Vec3, direction: Vec3) -> Self {
+        // A component of 0 would make infinite what may then be multiplied by 0.
+        let is_parallel = direction.abs().cmplt(Vec3::splat(PARALLEL));
+        let direction = Vec3::select(is_parallel, Vec3::splat(PARALLEL), direction);
         Self { origin, inverse_direction: direction.recip() }
     }
 
-    /// Distance at which the ray enters the node's box, infinite for a miss or an entry beyond
+    /// Distance at which the ray enters the node's box, [`FAR`] for a miss or an entry beyond
     /// `limit`.
     #[inline]
-    pub fn entry(&self, node: &BvhNode, limit: f32) -> f32 {
+    pub fn box_entry(&self, node: &BvhNode, limit: f32) -> f32 {
         let t0 = (node.min - self.origin) * self.inverse_direction;
         let t1 = (node.max - self.origin) * self.inverse_direction;
-        // min and max that ignore the NaN of 0·∞ keep rays in the plane of a box's side.
-        let near = t0.x.min(t1.x).max(t0.y.min(t1.y)).max(t0.z.min(t1.z)).max(0.0);
-        let far = t0.x.max(t1.x).min(t0.y.max(t1.y)).min(t0.z.max(t1.z)) * SLAB_ROUNDING;
-        if near <= far && near <= limit { near } else { f32::INFINITY }
+        let near = t0.min(t1).max_element().max(0.0);
+        let far = t0.max(t1).min_element() * SLAB_ROUNDING;
+        if near <= far && near <= limit { near } else { FAR }
     }
 }
 
@@ -71,7 +76,7 @@ impl Shear {
 
     /// The point relative to the ray's origin, in the sheared frame.
     #[inline]
-    fn apply(&self, point: Vec3) -> Vec3 {
+    fn shear_point(&self, point: Vec3) -> Vec3 {
         let [x, y, z] = self.axes;
         Vec3::new(
             point[x] - self.scale.x * point[z],
@@ -81,13 +86,13 @@ impl Shear {
     }
 }
 
-/// Distance to the triangle, infinite for a miss. Neighbouring triangles leave no gap: their
+/// Distance to the triangle, [`FAR`] for a miss. Neighbouring triangles leave no gap: their
 /// common edge is judged by the same arithmetic.
 #[inline]
 fn triangle_distance(origin: Vec3, shear: &Shear, triangle: &PackedTriangle) -> f32 {
-    let a = shear.apply(triangle.a - origin);
-    let b = shear.apply(triangle.b - origin);
-    let c = shear.apply(triangle.c - origin);
+    let a = shear.shear_point(triangle.a - origin);
+    let b = shear.shear_point(triangle.b - origin);
+    let c = shear.shear_point(triangle.c - origin);
     let u = c.x * b.y - c.y * b.x;
     let v = a.x * c.y - a.y * c.x;
     let w = b.x * a.y - b.y * a.x;
@@ -95,17 +100,17 @@ fn triangle_distance(origin: Vec3, shear: &Shear, triangle: &PackedTriangle) -> 
     let has_positive = u > 0.0 || v > 0.0 || w > 0.0;
     let determinant = u + v + w;
     if (has_negative && has_positive) || determinant == 0.0 {
-        return f32::INFINITY;
+        return FAR;
     }
     let distance = (u * a.z + v * b.z + w * c.z) / determinant;
-    if distance >= 0.0 { distance } else { f32::INFINITY }
+    if distance >= 0.0 { distance } else { FAR }
 }
 
 /// The nearest triangle of the mesh along the ray, closer than `limit`, met from one of `sides`.
 ///
 /// `left_facet` is the facet the ray has just left, which it can't meet again, or [`NONE`].
 #[inline]
-pub fn nearest(
+pub fn meet_mesh(
     scene: &PackedScene,
     instance: &Instance,
     ray: &Ray,
@@ -125,7 +130,7 @@ pub fn nearest(
     let mut stack = [0_u32; NODE_STACK];
     let mut count = 0;
     let mut current = instance.first;
-    if box_ray.entry(&scene.nodes[current as usize], limit) == f32::INFINITY {
+    if box_ray.box_entry(&scene.nodes[current as usize], limit) == FAR {
         return Hit::MISS;
     }
     loop {
@@ -145,14 +150,14 @@ pub fn nearest(
             }
         } else {
             let (mut near, mut far) = (node.first, node.first + 1);
-            let mut near_entry = box_ray.entry(&scene.nodes[near as usize], hit.distance);
-            let mut far_entry = box_ray.entry(&scene.nodes[far as usize], hit.distance);
+            let mut near_entry = box_ray.box_entry(&scene.nodes[near as usize], hit.distance);
+            let mut far_entry = box_ray.box_entry(&scene.nodes[far as usize], hit.distance);
             if far_entry < near_entry {
                 (near, far) = (far, near);
                 (near_entry, far_entry) = (far_entry, near_entry);
             }
-            if near_entry < f32::INFINITY {
-                if far_entry < f32::INFINITY {
+            if near_entry < FAR {
+                if far_entry < FAR {
                     stack[count] = far;
                     count += 1;
                 }

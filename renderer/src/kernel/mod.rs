@@ -2,11 +2,12 @@
 //!
 //! Nothing here allocates or recurses, and but for the vectors of the plane loop nothing uses what a
 //! shader lacks: f32, u32, `Vec3`, slices that stand for storage buffers, explicit stacks of fixed
-//! size. Each file is the twin of a shader module to be.
+//! size, no infinities. Each file has a twin in [`shaders`](crate::shaders), function by function.
 //!
 //! The flow of one camera ray:
 //! [`camera`] → [`trace`] ⟲ ([`intersect`] → [`fork`] or [`diffuse`] or [`lights`] → [`deposit`]).
 
+pub mod absorption;
 pub mod camera;
 pub mod convex;
 pub mod deposit;
@@ -20,3 +21,4 @@ pub mod ray;
 pub mod rng;
 pub mod spread;
 pub mod trace;
+pub mod walk;

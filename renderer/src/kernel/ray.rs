@@ -67,10 +67,17 @@ impl Ray {
     }
 }
 
+/// The distance of what is not there: as far as a finite number can tell, since a shader may
+/// suppose that there are no infinities.
+pub const FAR: f32 = f32::MAX;
+
+/// A surface this close to another, in mm, touches it: rounding must not decide which is met.
+pub const TOUCHING_MM: f32 = 1e-4;
+
 /// The nearest surface along a ray.
 #[derive(Clone, Copy, Debug)]
 pub struct Hit {
-    /// Distance in units of the ray's direction; infinite for a miss.
+    /// Distance in units of the ray's direction; [`FAR`] for a miss.
     pub distance: f32,
     /// The body, [`GROUND`] or [`NONE`].
     pub instance: u32,
@@ -85,6 +92,5 @@ pub const GROUND: u32 = NONE - 1;
 
 impl Hit {
     /// No surface.
-    pub const MISS: Self =
-        Self { distance: f32::INFINITY, instance: NONE, facet: NONE, normal: Vec3::Z };
+    pub const MISS: Self = Self { distance: FAR, instance: NONE, facet: NONE, normal: Vec3::Z };
 }

@@ -17,28 +17,28 @@ pub fn unit_float(word: u32) -> f32 {
 /// The four-dimensional sequence of Roberts 2018 in fixed point: 2³² over the powers of the root of
 /// x⁵ = x + 1. Two dimensions place the camera ray in its pixel, the other two choose points on
 /// lights; were they the same two, a pixel's edge and a light's shadow would move as one.
-const PIXEL_STEPS: [u32; 2] = [3_679_390_609, 3_152_041_523];
-const LIGHT_STEPS: [u32; 2] = [2_700_274_807, 2_313_257_605];
+pub(crate) const PIXEL_STEPS: [u32; 2] = [3_679_390_609, 3_152_041_523];
+pub(crate) const LIGHT_STEPS: [u32; 2] = [2_700_274_807, 2_313_257_605];
 /// ½ in fixed point.
-const MIDDLE: u32 = 1 << 31;
+pub(crate) const MIDDLE: u32 = 1 << 31;
 
 /// Two numbers in 0..1 that fill the pixel evenly as the passes go by, the middle first. They are
 /// the same for all pixels: every pass is a clean picture, and only their mean is smooth.
 #[inline]
-pub fn pixel_sample(pass: u32) -> [f32; 2] {
-    sample(PIXEL_STEPS, [MIDDLE, MIDDLE], pass)
+pub fn pixel_sample(pass_index: u32) -> [f32; 2] {
+    sample(PIXEL_STEPS, [MIDDLE, MIDDLE], pass_index)
 }
 
 /// Two numbers in 0..1 that fill a light evenly as the passes go by, shifted by the random word
 /// `seed`.
 #[inline]
-pub fn light_sample(seed: u32, pass: u32) -> [f32; 2] {
-    sample(LIGHT_STEPS, [hash(seed), hash(seed ^ 0x9e37_79b9)], pass)
+pub fn light_sample(seed: u32, pass_index: u32) -> [f32; 2] {
+    sample(LIGHT_STEPS, [hash(seed), hash(seed ^ 0x9e37_79b9)], pass_index)
 }
 
 #[inline]
-fn sample(steps: [u32; 2], start: [u32; 2], pass: u32) -> [f32; 2] {
-    let x = start[0].wrapping_add(pass.wrapping_mul(steps[0]));
-    let y = start[1].wrapping_add(pass.wrapping_mul(steps[1]));
+fn sample(steps: [u32; 2], start: [u32; 2], pass_index: u32) -> [f32; 2] {
+    let x = start[0].wrapping_add(pass_index.wrapping_mul(steps[0]));
+    let y = start[1].wrapping_add(pass_index.wrapping_mul(steps[1]));
     [unit_float(x), unit_float(y)]
 }

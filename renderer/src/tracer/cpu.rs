@@ -3,12 +3,13 @@
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use super::{Tracer, TracerName, View, pass};
+use super::{Tracer, TracerName, View, rules};
 use crate::develop::{LatentImage, XyzImage};
 use crate::error::RendererError;
 use crate::film::Film;
 use crate::kernel::camera::{camera_ray, pixel_seed};
-use crate::kernel::trace::{Pass, RayStack, Tally, trace};
+use crate::kernel::trace::trace;
+use crate::kernel::walk::{RayStack, Tally, Walk};
 use crate::packed::PackedScene;
 use crate::settings::TraceSettings;
 use crate::spectrum::Bins;
@@ -56,9 +57,8 @@ impl CpuTracer {
         film: &mut Film,
         is_cancelled: &(dyn Fn() -> bool + Sync),
     ) -> Option<Statistics> {
-        let pass = pass(view, settings, film.passes());
-        let size = film.size();
-        let (width, bins) = (size[0], film.bins().count());
+        let (rules, pass_index) = (rules(view, settings), film.passes());
+        let (size, bins) = (film.size(), film.bins().count());
         let strips = self.pool.install(|| {
             film.sums_mut()
                 .par_chunks_mut(STRIP_PIXELS * bins)
@@ -70,8 +70,11 @@ impl CpuTracer {
                             return None;
                         }
                         let number = (strip * STRIP_PIXELS + i) as u32;
-                        let at = (number % width, number / width);
-                        statistics += trace_pixel(scene, view, &pass, size, at, stack, pixel);
+                        let (x, y) = (number % size[0], number / size[0]);
+                        let seed = pixel_seed(x, y);
+                        let mut walk = Walk::new(scene, &rules, pass_index, seed, stack, pixel);
+                        trace(&mut walk, &camera_ray(&view.frame, size, x, y, pass_index));
+                        statistics += pixel_statistics(&walk.tally);
                     }
                     Some(statistics)
                 })
@@ -135,20 +138,7 @@ impl Tracer for CpuTracer {
     }
 }
 
-/// Traces the camera ray of the pixel at column `x`, row `y`, whose bins are `pixel`.
-fn trace_pixel(
-    scene: &PackedScene,
-    view: &View,
-    pass: &Pass,
-    size: [u32; 2],
-    (x, y): (u32, u32),
-    stack: &mut RayStack,
-    pixel: &mut [f32],
-) -> Statistics {
-    let ray = camera_ray(&view.frame, size, x, y, pass.index);
-    pixel_statistics(&trace(scene, pass, &ray, pixel_seed(x, y), stack, pixel))
-}
-
+/// The counts of one pixel in one pass.
 fn pixel_statistics(tally: &Tally) -> Statistics {
     Statistics {
         camera_rays: 1,

@@ -14,7 +14,7 @@ use crate::camera::{Camera, CameraFrame};
 use crate::develop::LatentImage;
 use crate::error::RendererError;
 use crate::film::Film;
-use crate::kernel::trace::Pass;
+use crate::kernel::walk::TraceRules;
 use crate::packed::PackedScene;
 use crate::settings::TraceSettings;
 use crate::spectrum::Bins;
@@ -92,14 +92,14 @@ impl View {
     }
 }
 
-/// The constants of pass `index`.
-fn pass(view: &View, settings: &TraceSettings, index: u32) -> Pass {
-    Pass {
-        index,
+/// The rules by which the settings want rays followed.
+fn rules(view: &View, settings: &TraceSettings) -> TraceRules {
+    TraceRules {
+        observer: view.observer,
         split_count: settings.split_count,
         significance_threshold: settings.significance_threshold,
         max_depth: settings.max_depth,
-        perturb: settings.perturb,
-        observer: view.observer,
+        perturb: u32::from(settings.perturb),
+        padding: 0,
     }
 }

@@ -1,0 +1,143 @@
+//! The state of one camera ray's walk: the rays that wait, and the books.
+
+use bytemuck::{Pod, Zeroable};
+use glam::Vec3;
+
+use crate::kernel::absorption::{mean_transmittance, transmittance_bound};
+use crate::kernel::ray::Ray;
+use crate::kernel::rng;
+use crate::packed::PackedScene;
+
+/// Rays that can wait at once. What leaves a convex stone ends at once, so that only the splits of
+/// the path being followed wait; what would not fit is counted as cut off.
+pub const STACK_LEN: usize = 256;
+
+/// By which rules rays are followed; the same for all of a film.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct TraceRules {
+    /// Unit vector from the scene towards the observer.
+    pub observer: Vec3,
+    /// K of the paper.
+    pub split_count: f32,
+    /// Significance below which a ray is pruned.
+    pub significance_threshold: f32,
+    /// Interfaces after which a ray is cut off.
+    pub max_depth: u32,
+    /// 1 where sub-rays take their own directions.
+    pub perturb: u32,
+    /// Fills the struct to 32 bytes.
+    pub padding: u32,
+}
+
+/// Counts of one camera ray; energies in units of the camera ray's.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Tally {
+    /// Rays traced, shadow rays included.
+    pub segments: u32,
+    /// Energy that reached a light, the sky, the dark or an opaque surface.
+    pub returned: f32,
+    /// Energy absorbed in coloured bodies.
+    pub absorbed: f32,
+    /// Energy below the significance threshold.
+    pub pruned: f32,
+    /// Energy beyond the maximum depth or the stack.
+    pub cut_off: f32,
+    /// Energy that slipped through a mesh.
+    pub lost: f32,
+}
+
+/// The rays that wait to be followed.
+pub struct RayStack {
+    rays: [Ray; STACK_LEN],
+    count: usize,
+}
+
+impl RayStack {
+    /// An empty stack.
+    #[expect(clippy::large_stack_arrays, reason = "20 kB, once per worker")]
+    pub fn new() -> Self {
+        Self { rays: [Ray::white(Vec3::ZERO, Vec3::Z); STACK_LEN], count: 0 }
+    }
+}
+
+impl Default for RayStack {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// One camera ray's walk: what it reads, and what it writes to.
+pub struct Walk<'a> {
+    /// The scene.
+    pub scene: &'a PackedScene,
+    /// The rules.
+    pub rules: &'a TraceRules,
+    /// Number of the pass, which moves the samples.
+    pub pass_index: u32,
+    /// Radiance found so far, per bin.
+    pub radiance: &'a mut [f32],
+    /// Counts.
+    pub tally: Tally,
+    stack: &'a mut RayStack,
+    seed: u32,
+}
+
+impl<'a> Walk<'a> {
+    /// A walk that has not begun; `seed` is the pixel's own random word.
+    #[inline]
+    pub fn new(
+        scene: &'a PackedScene,
+        rules: &'a TraceRules,
+        pass_index: u32,
+        seed: u32,
+        stack: &'a mut RayStack,
+        radiance: &'a mut [f32],
+    ) -> Self {
+        stack.count = 0;
+        Self { scene, rules, pass_index, radiance, tally: Tally::default(), stack, seed }
+    }
+
+    /// A random word that is the same in every pass at the same place of the walk.
+    #[inline]
+    pub fn next_seed(&mut self) -> u32 {
+        self.seed = self.seed.wrapping_add(1);
+        rng::hash(self.seed)
+    }
+
+    /// Whether rays wait.
+    #[inline]
+    pub fn has_rays(&self) -> bool {
+        self.stack.count > 0
+    }
+
+    /// Takes the ray that was put on the stack last.
+    #[inline]
+    pub fn pop(&mut self) -> Ray {
+        self.stack.count -= 1;
+        self.stack.rays[self.stack.count]
+    }
+
+    /// Puts a ray on the stack, or into the books where it is too weak, too deep or too much.
+    #[inline]
+    pub fn send(&mut self, ray: &Ray) {
+        let significance = ray.significance * transmittance_bound(self.scene, ray);
+        if significance < self.rules.significance_threshold {
+            self.tally.pruned += self.retire(ray);
+        } else if ray.depth > self.rules.max_depth || self.stack.count == STACK_LEN {
+            self.tally.cut_off += self.retire(ray);
+        } else {
+            self.stack.rays[self.stack.count] = *ray;
+            self.stack.count += 1;
+        }
+    }
+
+    /// The energy that a ray still carries at its end, after its path's absorption is booked.
+    #[inline]
+    pub fn retire(&mut self, ray: &Ray) -> f32 {
+        let energy = ray.significance * ray.bandwidth();
+        let kept = mean_transmittance(self.scene, ray);
+        self.tally.absorbed += energy * (1.0 - kept);
+        energy * kept
+    }
+}

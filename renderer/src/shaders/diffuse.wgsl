@@ -1,0 +1,92 @@
+// Opaque diffuse surfaces under discs and sky, with shadow rays.
+
+// Deposits the light that the surface at `hit` sends back along `ray`, which ends there.
+//
+// Each disc counts with its solid angle (Thomas 1986: 2π(1 − √(1 − s²))) and is asked for by one
+// shadow ray to a point on it that changes from pass to pass; so is the sky.
+fn shade_diffuse(ray: Ray, hit: Hit) {
+    let reflectance = reflectance_at(ray, hit);
+    let normal = select(hit.normal, -hit.normal, dot(ray.direction, hit.normal) > 0.0);
+    for (var i = 0u; i < frame.disc_count; i++) {
+        let disc = discs[i];
+        let direction = direction_on_disc(disc, light_sample(next_seed(), walk.pass_index));
+        let cos = dot(direction, normal);
+        if cos > 0.0 && !is_shadowed(ray, hit, direction) {
+            let scale = FRAC_1_PI * disc.solid_angle * cos;
+            deposit(ray, disc.spectrum, reflectance, scale);
+        }
+    }
+    let sky = frame.sky;
+    if sky.hemisphere == NONE && sky.environment == NONE {
+        return;
+    }
+    let direction = direction_by_cosine(normal, light_sample(next_seed(), walk.pass_index));
+    if is_shadowed(ray, hit, direction) {
+        return;
+    }
+    if sky.environment != NONE {
+        deposit(ray, sky.environment, reflectance, 1.0);
+    }
+    if sky.hemisphere != NONE && direction.z > 0.0 {
+        deposit(ray, sky.hemisphere, reflectance, 1.0);
+    }
+}
+
+// Row of the reflectance of the surface where the ray ends.
+fn reflectance_at(ray: Ray, hit: Hit) -> u32 {
+    if hit.instance != GROUND {
+        return material_of(hit.instance).reflectance;
+    }
+    let square_x = floor(ray.origin.x / frame.ground.square);
+    let square_y = floor(ray.origin.y / frame.ground.square);
+    let half = (square_x + square_y) * 0.5;
+    let is_odd = half != floor(half);
+    return select(frame.ground.reflectance[0], frame.ground.reflectance[1], is_odd);
+}
+
+fn is_shadowed(ray: Ray, hit: Hit, direction: vec3f) -> bool {
+    walk.tally.segments += 1u;
+    var shadow_ray = white(ray.origin, direction);
+    shadow_ray.instance = hit.instance;
+    shadow_ray.facet = hit.facet;
+    return is_occluded(shadow_ray);
+}
+
+// Two unit vectors at right angles to the unit vector `normal` and to each other (Duff et al.
+// 2017).
+fn orthonormal_pair(normal: vec3f) -> array<vec3f, 2> {
+    let sign = select(1.0, -1.0, normal.z < 0.0);
+    let a = -1.0 / (sign + normal.z);
+    let b = normal.x * normal.y * a;
+    return array<vec3f, 2>(
+        vec3f(1.0 + sign * normal.x * normal.x * a, sign * b, -sign * normal.x),
+        vec3f(b, sign + normal.y * normal.y * a, -normal.y),
+    );
+}
+
+// A direction evenly distributed over the disc's solid angle.
+fn direction_on_disc(disc: PackedDisc, at: vec2f) -> vec3f {
+    // 1 − cos of the radius, without the cancellation of the plain difference.
+    let height = disc.sin_squared_radius / (1.0 + disc.cos_radius);
+    let fall = at.x * height;
+    let sin_fall = sqrt(max(fall * (2.0 - fall), 0.0));
+    let azimuth = TAU * at.y;
+    let pair = orthonormal_pair(disc.direction);
+    return normalize_or_zero(
+        pair[0] * (sin_fall * cos(azimuth))
+            + pair[1] * (sin_fall * sin(azimuth))
+            + disc.direction * (1.0 - fall),
+    );
+}
+
+// A direction about `normal` with a density proportional to its cosine.
+fn direction_by_cosine(normal: vec3f, at: vec2f) -> vec3f {
+    let azimuth = TAU * at.y;
+    let radius = sqrt(at.x);
+    let pair = orthonormal_pair(normal);
+    return normalize_or_zero(
+        pair[0] * (radius * cos(azimuth))
+            + pair[1] * (radius * sin(azimuth))
+            + normal * sqrt(max(1.0 - at.x, 0.0)),
+    );
+}

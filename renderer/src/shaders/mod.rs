@@ -1,0 +1,108 @@
+//! The tracing kernel in WGSL: each file of [`kernel`](crate::kernel) has its twin here, with the
+//! same functions in the same order.
+//!
+//! What the Rust functions are given as `scene` and `walk` are module-scope variables in WGSL. Its
+//! constants are printed from those of Rust, so that each is written once. Tests hold the two sides
+//! together: `tests/shaders` compares layouts, names and what the functions give, `tests/parity`
+//! whole films.
+
+use std::f32::consts::{FRAC_1_PI, TAU};
+use std::fmt::Write as _;
+
+use crate::kernel::mesh::Sides;
+use crate::kernel::{interface, intersect, mesh, ray, rng, spread, walk};
+use crate::packed;
+use crate::spectrum::{LAMBDA_MAX_NM, LAMBDA_MIN_NM};
+
+/// A file of WGSL.
+#[derive(Clone, Copy, Debug)]
+pub struct ShaderModule {
+    /// The name of the file, without its ending.
+    pub name: &'static str,
+    /// Its text.
+    pub source: &'static str,
+}
+
+macro_rules! modules {
+    ($($name:literal),* $(,)?) => {
+        &[$(ShaderModule { name: $name, source: include_str!(concat!($name, ".wgsl")) }),*]
+    };
+}
+
+/// The kernel; each module uses only what is in those before it.
+pub const KERNEL: &[ShaderModule] = modules![
+    "vector",
+    "packed",
+    "ray",
+    "rng",
+    "camera",
+    "spread",
+    "interface",
+    "mesh",
+    "convex",
+    "intersect",
+    "absorption",
+    "walk",
+    "deposit",
+    "lights",
+    "diffuse",
+    "fork",
+    "trace",
+];
+
+/// The constants of the kernel, and then `modules`: a whole shader.
+pub fn join(modules: &[ShaderModule]) -> String {
+    let mut source = constants();
+    for module in modules {
+        source.push('\n');
+        source.push_str(module.source);
+    }
+    source
+}
+
+/// A constant as WGSL spells it.
+enum Constant {
+    U32(u32),
+    F32(f32),
+    Vec2U([u32; 2]),
+}
+
+fn constants() -> String {
+    use Constant::{F32, U32, Vec2U};
+    let mut source = String::new();
+    for (name, constant) in [
+        ("NONE", U32(packed::NONE)),
+        ("CONVEX", U32(packed::CONVEX)),
+        ("INDEX_TABLE_LEN", U32(packed::INDEX_TABLE_LEN as u32)),
+        ("LAMBDA_MIN_NM", F32(LAMBDA_MIN_NM)),
+        ("LAMBDA_MAX_NM", F32(LAMBDA_MAX_NM)),
+        ("SMALLEST_SQUARE", F32(f32::MIN_POSITIVE)),
+        ("FRAC_1_PI", F32(FRAC_1_PI)),
+        ("TAU", F32(TAU)),
+        ("FAR", F32(ray::FAR)),
+        ("GROUND", U32(ray::GROUND)),
+        ("TOUCHING_MM", F32(ray::TOUCHING_MM)),
+        ("PIXEL_STEPS", Vec2U(rng::PIXEL_STEPS)),
+        ("LIGHT_STEPS", Vec2U(rng::LIGHT_STEPS)),
+        ("MIDDLE", U32(rng::MIDDLE)),
+        ("MAX_SUBRAYS", U32(spread::MAX_SUBRAYS)),
+        ("BISECTIONS", U32(interface::BISECTIONS)),
+        ("NODE_STACK", U32(mesh::NODE_STACK as u32)),
+        ("SLAB_ROUNDING", F32(mesh::SLAB_ROUNDING)),
+        ("PARALLEL", F32(mesh::PARALLEL)),
+        ("SIDES_FRONT", U32(Sides::Front as u32)),
+        ("SIDES_BACK", U32(Sides::Back as u32)),
+        ("SIDES_BOTH", U32(Sides::Both as u32)),
+        ("TOP_STACK", U32(intersect::TOP_STACK as u32)),
+        ("NUDGE", F32(intersect::NUDGE)),
+        ("STACK_LEN", U32(walk::STACK_LEN as u32)),
+    ] {
+        let written = match constant {
+            U32(value) => writeln!(source, "const {name} = {value}u;"),
+            F32(value) => writeln!(source, "const {name} = {value:?}f;"),
+            Vec2U([x, y]) => writeln!(source, "const {name} = vec2u({x}u, {y}u);"),
+        };
+        written.expect("a string takes all that is written to it");
+    }
+    source
+}

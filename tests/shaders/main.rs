@@ -1,0 +1,3 @@
+//! The shaders against their Rust twins.
+
+mod modules;
