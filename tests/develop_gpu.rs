@@ -353,3 +353,23 @@ fn a_size_that_no_texture_can_have_is_an_error_of_the_device() {
         assert!(text.contains(&named) && text.contains(&largest.to_string()), "{text}");
     }
 }
+
+#[test]
+fn a_lost_device_is_an_error_and_no_panic() {
+    let graphics = Graphics::open(true).unwrap();
+    let developer = GpuDeveloper::new(&graphics).unwrap();
+    let size = [16, 9];
+    let bins = Bins::new(4);
+    let image = developer.expose(size, bins, 1, &[]).unwrap();
+    graphics.device().destroy();
+    let errors = [
+        developer.expose(size, bins, 1, &[]).err(),
+        image.develop(&DisplaySettings::default()).err(),
+        image.read().err(),
+        GpuDeveloper::new(&graphics).err(),
+    ];
+    for error in errors {
+        let error = error.expect("a lost device can do nothing");
+        assert!(matches!(error, RendererError::Graphics(_)), "{error}");
+    }
+}

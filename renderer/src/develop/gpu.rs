@@ -136,7 +136,7 @@ fn source(modules: &[&str]) -> String {
         "const WORKGROUP_SIDE = {WORKGROUP_SIDE}u;\n\
          const REINHARD = {reinhard}u;\n\
          const FILMIC = {filmic}u;\n\
-         const REINHARD_WHITE = f32({REINHARD_WHITE:?});\n"
+         const REINHARD_WHITE = {REINHARD_WHITE:?}f;\n"
     );
     constants + &modules.join("\n")
 }
