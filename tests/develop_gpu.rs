@@ -19,8 +19,10 @@ const WIDTH: u32 = 37;
 /// Luminances that are to be told apart from black and white by exposure.
 const LEVELS: [f32; 13] = [1e-6, 1e-5, 1e-4, 1e-3, 0.01, 0.1, 1.0, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6];
 
-static GRAPHICS: LazyLock<Graphics> = LazyLock::new(|| Graphics::open(true).unwrap());
-static DEVELOPER: LazyLock<GpuDeveloper> = LazyLock::new(|| GpuDeveloper::new(&GRAPHICS).unwrap());
+static GRAPHICS: LazyLock<Graphics> =
+    LazyLock::new(|| Graphics::open(true).expect("a graphics device"));
+static DEVELOPER: LazyLock<GpuDeveloper> =
+    LazyLock::new(|| GpuDeveloper::new(&GRAPHICS).expect("its shaders"));
 
 /// Radiances of `bins` bins that are no colours, dark and bright spectral colours, whites, and
 /// `random` spectra of all levels.
@@ -100,7 +102,7 @@ fn bands(film: &Film, ends: &[u32]) -> Vec<Band> {
 }
 
 fn expose(film: &Film, bands: &[Band]) -> GpuXyzImage {
-    DEVELOPER.expose(film.size(), film.bins(), film.passes(), bands).unwrap()
+    DEVELOPER.expose(film.size(), film.bins(), film.passes(), bands).expect("an exposed film")
 }
 
 fn all_settings(exposures: &[f32]) -> Vec<DisplaySettings> {
@@ -134,9 +136,9 @@ impl Codes {
     /// Develops on both and finds no code that differs by more than one.
     fn compare(&mut self, image: &GpuXyzImage, film: &Film, settings: &DisplaySettings) {
         let expected = XyzImage::from_film(film).develop_rgba8(settings);
-        let texture = image.develop(settings).unwrap();
+        let texture = image.develop(settings).expect("a developed picture");
         assert_eq!([texture.width(), texture.height()], film.size());
-        let found = GRAPHICS.read_texture(&texture).unwrap();
+        let found = GRAPHICS.read_texture(&texture).expect("its codes");
         assert_eq!(found.len(), expected.len());
         let bins = film.bins().count();
         for (pixel, (found, expected)) in found.chunks(4).zip(expected.chunks(4)).enumerate() {
@@ -340,7 +342,7 @@ fn load(texture: &wgpu::Texture, format: TextureFormat) -> Vec<f32> {
     pass.dispatch_workgroups(texture.width(), texture.height(), 1);
     drop(pass);
     GRAPHICS.queue().submit([encoder.finish()]);
-    bytemuck::pod_collect_to_vec(&GRAPHICS.read_buffer(&texels).unwrap())
+    bytemuck::pod_collect_to_vec(&GRAPHICS.read_buffer(&texels).expect("its texels"))
 }
 
 #[test]
@@ -361,6 +363,8 @@ fn a_lost_device_is_an_error_and_no_panic() {
     let size = [16, 9];
     let bins = Bins::new(4);
     let image = developer.expose(size, bins, 1, &[]).unwrap();
+    // A device that is destroyed is lost as soon as it has no more work.
+    image.read().unwrap();
     graphics.device().destroy();
     let errors = [
         developer.expose(size, bins, 1, &[]).err(),
