@@ -1,6 +1,8 @@
 //! A graphics device develops films to the same pictures as the processor.
 
-use std::ops::Range;
+mod films;
+mod views;
+
 use std::sync::LazyLock;
 
 use brilliance_renderer::color::srgb_decode;
@@ -9,97 +11,15 @@ use brilliance_renderer::error::RendererError;
 use brilliance_renderer::film::Film;
 use brilliance_renderer::gpu::Graphics;
 use brilliance_renderer::settings::{DisplaySettings, ToneCurve, WhitePoint};
-use brilliance_renderer::spectrum::{Bins, Illuminant, Spectrum};
-use wgpu::util::DeviceExt;
-use wgpu::{BindGroupEntry, BindingResource, BufferUsages, TextureFormat, TextureUsages};
-
-/// No multiple of a workgroup's side.
-const WIDTH: u32 = 37;
-
-/// Luminances that are to be told apart from black and white by exposure.
-const LEVELS: [f32; 13] = [1e-6, 1e-5, 1e-4, 1e-3, 0.01, 0.1, 1.0, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6];
+use brilliance_renderer::spectrum::Bins;
+use films::{bands, film_of, film_of_all_sorts, uniform_numbers};
+use views::load;
+use wgpu::{TextureFormat, TextureUsages};
 
 static GRAPHICS: LazyLock<Graphics> =
     LazyLock::new(|| Graphics::open(true).expect("a graphics device"));
 static DEVELOPER: LazyLock<GpuDeveloper> =
     LazyLock::new(|| GpuDeveloper::new(&GRAPHICS).expect("its shaders"));
-
-/// Radiances of `bins` bins that are no colours, dark and bright spectral colours, whites, and
-/// `random` spectra of all levels.
-fn spectra(bins: Bins, random: usize) -> Vec<Vec<f32>> {
-    let flat = |radiance: f32| vec![radiance; bins.count()];
-    let but_one = |base: f32, bin: usize, radiance: f32| {
-        let mut spectrum = flat(base);
-        spectrum[bin] = radiance;
-        spectrum
-    };
-    let mut spectra = vec![flat(0.0), flat(-0.5), but_one(0.4, 1, -0.2), flat(1e30)];
-    for wrong in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
-        spectra.extend([0, 1, bins.count() - 1].map(|bin| but_one(0.5, bin, wrong)));
-        spectra.push(flat(wrong));
-    }
-    let lights = [Spectrum::Illuminant(Illuminant::D65), Spectrum::BlackBody { kelvin: 1900.0 }];
-    let lights = lights.map(|light| light.bin_means(bins));
-    for level in LEVELS {
-        spectra.push(flat(level));
-        spectra.extend((0..bins.count()).map(|bin| but_one(0.0, bin, level)));
-        let scaled = |light: &Vec<f32>| light.iter().map(|radiance| level * radiance).collect();
-        spectra.extend(lights.iter().map(scaled));
-    }
-    let mut uniform = uniform_numbers();
-    spectra.extend((0..random).map(|_| {
-        let level = 10_f32.powf(8.0 * uniform() - 4.0);
-        (0..bins.count()).map(|_| level * uniform().powi(4)).collect()
-    }));
-    spectra
-}
-
-/// Numbers in 0..1, the same in every run (D. E. Knuth's MMIX generator).
-fn uniform_numbers() -> impl FnMut() -> f32 {
-    let mut state = 1_u64;
-    move || {
-        state =
-            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 40) as f32 / (1_u64 << 24) as f32
-    }
-}
-
-/// A film with these means in its first pixels and black after them.
-fn film_of(spectra: &[Vec<f32>], [width, height]: [u32; 2], bins: Bins, passes: u32) -> Film {
-    let mut film = Film::new(width, height, bins);
-    let means = spectra.iter().flatten();
-    film.sums_mut().iter_mut().zip(means).for_each(|(sum, mean)| *sum = passes as f32 * mean);
-    (0..passes).for_each(|_| film.complete_pass());
-    film
-}
-
-/// A film of all kinds of pixels.
-fn film_of_all_sorts(bins: u32, passes: u32, random: usize) -> Film {
-    let bins = Bins::new(bins);
-    let spectra = spectra(bins, random);
-    let height = (spectra.len() as u32).div_ceil(WIDTH);
-    film_of(&spectra, [WIDTH, height], bins, passes)
-}
-
-/// Rows of a film in a buffer of the device.
-fn band(film: &Film, rows: Range<u32>) -> Band {
-    let row = film.size()[0] as usize * film.bins().count();
-    let sums = &film.sums()[rows.start as usize * row..rows.end as usize * row];
-    let buffer = GRAPHICS.device().create_buffer_init(&wgpu::util::BufferInitDescriptor {
-        label: None,
-        contents: bytemuck::cast_slice(sums),
-        usage: BufferUsages::STORAGE | BufferUsages::COPY_DST,
-    });
-    Band { first_row: rows.start, rows: rows.end - rows.start, buffer }
-}
-
-/// The film in bands that end before these rows, and at its last.
-fn bands(film: &Film, ends: &[u32]) -> Vec<Band> {
-    let height = film.size()[1];
-    let starts = [0].into_iter().chain(ends.iter().copied());
-    let ends = ends.iter().copied().chain([height]);
-    starts.zip(ends).map(|(start, end)| band(film, start..end)).collect()
-}
 
 fn expose(film: &Film, bands: &[Band]) -> GpuXyzImage {
     DEVELOPER.expose(film.size(), film.bins(), film.passes(), bands).expect("an exposed film")
@@ -292,57 +212,6 @@ fn the_picture_can_be_viewed_encoded_and_linear() {
         let tolerance = 0.5 / 255.0;
         assert!((f64::from(linear[i]) - decoded).abs() < tolerance, "{} for {code}", linear[i]);
     }
-}
-
-/// What a shader sees of `texture` through a view of `format`.
-fn load(texture: &wgpu::Texture, format: TextureFormat) -> Vec<f32> {
-    const SOURCE: &str = "
-        @group(0) @binding(0) var texture: texture_2d<f32>;
-        @group(0) @binding(1) var<storage, read_write> texels: array<vec4f>;
-        @compute @workgroup_size(1)
-        fn load(@builtin(global_invocation_id) at: vec3u) {
-            texels[at.y * textureDimensions(texture).x + at.x] = textureLoad(texture, at.xy, 0);
-        }";
-    let device = GRAPHICS.device();
-    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: None,
-        source: wgpu::ShaderSource::Wgsl(SOURCE.into()),
-    });
-    let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-        label: None,
-        layout: None,
-        module: &module,
-        entry_point: None,
-        compilation_options: wgpu::PipelineCompilationOptions::default(),
-        cache: None,
-    });
-    let view = texture.create_view(&wgpu::TextureViewDescriptor {
-        format: Some(format),
-        usage: Some(TextureUsages::TEXTURE_BINDING),
-        ..Default::default()
-    });
-    let texels = device.create_buffer(&wgpu::BufferDescriptor {
-        label: None,
-        size: 16 * u64::from(texture.width()) * u64::from(texture.height()),
-        usage: BufferUsages::STORAGE | BufferUsages::COPY_SRC,
-        mapped_at_creation: false,
-    });
-    let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: None,
-        layout: &pipeline.get_bind_group_layout(0),
-        entries: &[
-            BindGroupEntry { binding: 0, resource: BindingResource::TextureView(&view) },
-            BindGroupEntry { binding: 1, resource: texels.as_entire_binding() },
-        ],
-    });
-    let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-    let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
-    pass.set_pipeline(&pipeline);
-    pass.set_bind_group(0, &group, &[]);
-    pass.dispatch_workgroups(texture.width(), texture.height(), 1);
-    drop(pass);
-    GRAPHICS.queue().submit([encoder.finish()]);
-    bytemuck::pod_collect_to_vec(&GRAPHICS.read_buffer(&texels).expect("its texels"))
 }
 
 #[test]
