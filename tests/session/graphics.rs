@@ -44,6 +44,20 @@ fn shows_texture(session: &Session) -> bool {
     session.picture().is_some_and(|picture| matches!(picture.pixels, Pixels::Texture(_)))
 }
 
+/// Waits until what the device has traced is shown and `is_there` holds.
+fn wait_for_device(watched: &Watched, is_there: impl Fn(&Session) -> bool) {
+    watched.wait(|session| {
+        if let GraphicsState::Failed(reason) = session.graphics_state() {
+            panic!("{reason}");
+        }
+        is_on_device(session) && shows_texture(session) && is_there(session)
+    });
+}
+
+fn is_done(session: &Session) -> bool {
+    session.progress().activity == Activity::Done
+}
+
 /// Waits until the processor has traced a picture and it is shown, which must be soon.
 fn wait_for_processor(watched: &Watched) {
     let started = Instant::now();
@@ -57,12 +71,11 @@ fn wait_for_processor(watched: &Watched) {
 fn a_request_is_traced_on_the_device_and_never_read_back() {
     let graphics = graphics();
     let mut watched = tracing(&graphics, gpu_request([48, 32], 7));
-    watched.wait(|session| is_on_device(session) && session.progress().activity == Activity::Done);
+    wait_for_device(&watched, is_done);
     let progress = watched.session.progress();
     assert_eq!((progress.passes, progress.statistics.camera_rays), (7, 7 * 48 * 32));
     assert!(progress.statistics.ledger.imbalance().abs() < 1e-5 * 7.0 * 48.0 * 32.0);
     assert_eq!(watched.session.graphics_state(), GraphicsState::Ready);
-    watched.wait(shows_texture);
     let picture = watched.session.picture().expect("it is there");
 
     let brighter = DisplaySettings { exposure_ev: 2.0, ..DisplaySettings::default() };
@@ -76,12 +89,12 @@ fn a_request_is_traced_on_the_device_and_never_read_back() {
 fn a_device_that_is_lost_while_it_traces_is_replaced_by_the_processor() {
     let graphics = graphics();
     let mut watched = tracing(&graphics, gpu_request([64, 40], 1_000_000));
-    watched.wait(|session| is_on_device(session) && shows_texture(session));
+    wait_for_device(&watched, |_| true);
     graphics.device().destroy();
     wait_for_processor(&watched);
 
     watched.session.offer_graphics(self::graphics());
-    watched.wait(|session| is_on_device(session) && shows_texture(session));
+    wait_for_device(&watched, |_| true);
     assert_eq!(watched.session.graphics_state(), GraphicsState::Ready);
 }
 
@@ -89,12 +102,11 @@ fn a_device_that_is_lost_while_it_traces_is_replaced_by_the_processor() {
 fn a_device_that_is_lost_with_a_finished_picture_is_found_out_by_developing() {
     let graphics = graphics();
     let mut watched = tracing(&graphics, gpu_request([48, 32], 2));
-    watched.wait(|session| is_on_device(session) && session.progress().activity == Activity::Done);
-    watched.wait(shows_texture);
+    wait_for_device(&watched, is_done);
     graphics.device().destroy();
     watched.session.display(DisplaySettings { exposure_ev: 1.0, ..DisplaySettings::default() });
     wait_for_processor(&watched);
-    watched.wait(|session| session.progress().activity == Activity::Done);
+    watched.wait(is_done);
 }
 
 #[test]

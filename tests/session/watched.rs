@@ -1,7 +1,7 @@
 //! A session that a test can wait for, and what it is asked.
 
-use std::sync::{Arc, Condvar, Mutex};
-use std::time::Duration;
+use std::sync::{Arc, Condvar, Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::session::{Activity, Picture, Progress, RenderRequest, Session};
@@ -21,7 +21,8 @@ impl Watched {
         let bell = Arc::new((Mutex::new(0), Condvar::new()));
         let ringer = Arc::clone(&bell);
         let session = Session::new(move || {
-            *ringer.0.lock().expect("nobody panics with the bell") += 1;
+            // A test that fails while it looks must not take the threads along.
+            *ringer.0.lock().unwrap_or_else(PoisonError::into_inner) += 1;
             ringer.1.notify_all();
         })
         .expect("threads can be started");
@@ -30,11 +31,15 @@ impl Watched {
 
     /// Waits until `is_there` holds.
     pub(crate) fn wait(&self, is_there: impl Fn(&Session) -> bool) {
+        let deadline = Instant::now() + PATIENCE;
         let mut rings = self.bell.0.lock().expect("nobody panics with the bell");
         while !is_there(&self.session) {
-            let (next, timeout) =
-                self.bell.1.wait_timeout(rings, PATIENCE).expect("nobody panics with the bell");
-            assert!(!timeout.timed_out(), "no update: {:?}", self.session.progress());
+            let left = deadline.saturating_duration_since(Instant::now());
+            let session = &self.session;
+            let failure = session.graphics_failure();
+            assert!(!left.is_zero(), "it never came: {:?}, {failure:?}", session.progress());
+            let (next, _) =
+                self.bell.1.wait_timeout(rings, left).expect("nobody panics with the bell");
             rings = next;
         }
     }
