@@ -53,6 +53,12 @@ impl Graphics {
         Self { shared: Arc::new(Shared { device, queue, info, loss }) }
     }
 
+    /// Whether both are clones of one. (wgpu takes the first devices of two of its instances for
+    /// equal.)
+    pub(crate) fn is_same(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.shared, &other.shared)
+    }
+
     /// The device as its driver names it.
     pub fn name(&self) -> &str {
         &self.shared.info.name
