@@ -8,7 +8,7 @@ mod wait;
 
 use std::sync::{Arc, OnceLock};
 
-pub(crate) use readback::Readback;
+pub(crate) use readback::{Arrival, Readback};
 
 use crate::error::RendererError;
 
