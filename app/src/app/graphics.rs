@@ -26,7 +26,7 @@ impl App {
             LOST,
             format!(
                 "The window had to be opened again; nothing that you edited is lost. The processor \
-                 traces now. View \u{203a} Trace with goes back to the graphics device.\n{reason}"
+                 traces now; View \u{203a} Trace with goes back to the graphics device.\nReason: {reason}."
             ),
         );
     }
@@ -57,7 +57,7 @@ impl App {
                 FAILED,
                 format!(
                     "The processor goes on tracing. View \u{203a} Trace with \u{203a} Try again \
-                     gives the device another chance.\n{reason}"
+                     gives the device another chance.\nReason: {reason}."
                 ),
             );
         } else {

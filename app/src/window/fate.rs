@@ -1,8 +1,13 @@
 //! What has become of a window.
 
 use std::cell::{Cell, OnceCell};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::time::Duration;
 
 use brilliance_renderer::gpu::Graphics;
+
+/// Longest wait for a device that may be lost.
+const PATIENCE: Duration = Duration::from_secs(1);
 
 /// How a window ended.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -37,6 +42,18 @@ impl Fate {
     /// Whether the device was lost while the window was open.
     pub(super) fn is_lost(&self) -> bool {
         !self.is_closed.get() && self.graphics.get().is_some_and(|it| it.loss().is_some())
+    }
+
+    /// As [`is_lost`](Self::is_lost), also where the device has not said so yet: it does that when
+    /// its work is waited for.
+    pub(super) fn turns_out_lost(&self) -> bool {
+        if let Some(graphics) = self.graphics.get() {
+            let wait = wgpu::PollType::Wait { submission_index: None, timeout: Some(PATIENCE) };
+            // wgpu panics where the driver reports the loss. What goes wrong here is the loss, or
+            // nothing to act upon.
+            let _ = catch_unwind(AssertUnwindSafe(|| graphics.device().poll(wait)));
+        }
+        self.is_lost()
     }
 
     /// How it ended, once the event loop has.

@@ -41,7 +41,7 @@ impl<'a> Watched<'a> {
     fn attempt(&mut self, event: impl FnOnce(&mut EframeWinitApplication<'a>)) {
         let attempted = catch_unwind(AssertUnwindSafe(|| event(&mut self.window)));
         if let Err(panic) = attempted
-            && !self.fate.is_lost()
+            && !self.fate.turns_out_lost()
         {
             resume_unwind(panic);
         }
