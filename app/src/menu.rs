@@ -10,12 +10,7 @@ use crate::theme;
 use crate::tracers::{self, Tracers};
 
 /// Shows the bar at the top edge; gives what was chosen.
-pub fn show(
-    ui: &mut Ui,
-    editor: &Editor,
-    panel_shown: bool,
-    tracers: &Tracers,
-) -> Option<Command> {
+pub fn show(ui: &mut Ui, editor: &Editor, panel_shown: bool, tracers: &Tracers) -> Option<Command> {
     let frame = Frame::new().fill(theme::PANEL).inner_margin(Margin::symmetric(8, 3));
     let bar = Panel::top("menu").frame(frame).show(ui, |ui| {
         let mut chosen = None;

@@ -48,12 +48,7 @@ fn progress_ui(ui: &mut Ui, progress: &Progress) {
     );
     if progress.tracing_seconds > 0.0 {
         let rate = statistics.segments as f64 / progress.tracing_seconds;
-        value(
-            ui,
-            &with_prefix(rate),
-            "rays/s",
-            "Ray segments traced per second of tracing.",
-        );
+        value(ui, &with_prefix(rate), "rays/s", "Ray segments traced per second of tracing.");
     }
     ledger_ui(ui, progress);
     value(

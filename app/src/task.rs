@@ -92,8 +92,7 @@ mod tests {
     #[test]
     fn a_panic_is_noticed() {
         let task: Task<u32> =
-            Task::spawn("broken", &Waker::default(), || panic!("as the test wants"))
-                .unwrap();
+            Task::spawn("broken", &Waker::default(), || panic!("as the test wants")).unwrap();
         assert!(matches!(wait(&task), TaskState::Broken));
     }
 }

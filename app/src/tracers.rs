@@ -21,6 +21,8 @@ pub struct Tracers {
     pub device: Option<TracerName>,
     /// How the session and the graphics device get on.
     pub state: GraphicsState,
+    /// Why the processor last took over from a graphics device.
+    pub refusal: Option<String>,
     /// What traced the picture that is shown; none before the first.
     pub in_use: Option<TracerName>,
 }
@@ -51,18 +53,16 @@ pub fn menu_ui(ui: &mut Ui, tracers: &Tracers, chosen: &mut Option<Command>) {
     ui.separator();
     let in_use = tracers.in_use.as_ref().unwrap_or(&tracers.processor);
     ui.label(RichText::new(format!("In use: {in_use}")).color(theme::TEXT_WEAK));
-    match &tracers.state {
-        GraphicsState::Absent | GraphicsState::Ready => {}
-        GraphicsState::Preparing => {
-            ui.label(RichText::new(PREPARING).color(theme::TEXT_WEAK));
-        }
-        GraphicsState::Failed(reason) => {
-            ui.label(RichText::new("The graphics device failed").color(theme::ERROR));
-            ui.label(reason);
-            let tooltip = "Gives the graphics device another chance.";
-            if ui.button("Try again").on_hover_text(tooltip).clicked() {
-                *chosen = Some(Command::RetryGraphics);
-            }
+    if tracers.state == GraphicsState::Preparing {
+        ui.label(RichText::new(PREPARING).color(theme::TEXT_WEAK));
+    }
+    if let Some((title, reason)) = tracers.fault() {
+        ui.separator();
+        ui.label(RichText::new(title).color(theme::ERROR));
+        ui.label(reason);
+        let tooltip = "Gives the graphics device another chance.";
+        if ui.button("Try again").on_hover_text(tooltip).clicked() {
+            *chosen = Some(Command::RetryGraphics);
         }
     }
 }
@@ -85,6 +85,19 @@ pub fn status_ui(ui: &mut Ui, tracers: &Tracers) {
 }
 
 impl Tracers {
+    /// Why the processor traces what the graphics device was asked for.
+    fn fault(&self) -> Option<(&str, &str)> {
+        if let GraphicsState::Failed(reason) = &self.state {
+            return Some(("The graphics device failed.", reason));
+        }
+        let Some(TracerName::Gpu { is_software, .. }) = self.device else { return None };
+        let is_refused = self.state == GraphicsState::Ready
+            && self.chosen.uses_device(is_software)
+            && matches!(self.in_use, Some(TracerName::Cpu { .. }));
+        let reason = self.refusal.as_deref().filter(|_| is_refused)?;
+        Some(("Too much for the graphics device.", reason))
+    }
+
     fn device_tooltip(&self) -> String {
         match &self.device {
             Some(device @ TracerName::Gpu { is_software: true, .. }) => {
@@ -104,7 +117,7 @@ impl Tracers {
             _ if self.device.is_none() => {
                 Some("The window has no graphics device to trace with.".to_owned())
             }
-            GraphicsState::Absent | GraphicsState::Preparing | GraphicsState::Ready => None,
+            _ => None,
         }
     }
 }

@@ -47,5 +47,5 @@ fn main() -> Result<(), RendererError> {
 
 fn trace(request: &RenderRequest, threads: usize, time: Duration) -> Result<Still, RendererError> {
     let limits = StillLimits { time: Some(time), threads };
-    Still::render(request, limits, &AtomicBool::new(false), |_, _| {})
+    Still::render(request, limits, None, &AtomicBool::new(false), |_, _| {})
 }

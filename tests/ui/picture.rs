@@ -84,9 +84,7 @@ fn the_picture_has_the_physical_pixels_of_the_viewport() {
     let mut harness = Harness::builder()
         .with_size(vec2(1200.0, 900.0))
         .with_pixels_per_point(1.5)
-        .build_eframe(move |creation| {
-            app(creation, Opening::default(), services())
-        });
+        .build_eframe(move |creation| app(creation, Opening::default(), services()));
     harness.run_steps(4);
     let points = harness.get_by_label_contains("Picture of the stone").rect().size();
     let size = request(&harness).size;

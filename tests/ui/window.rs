@@ -48,9 +48,7 @@ pub(crate) fn harness_with(
         .with_size(vec2(1400.0, 1300.0))
         .with_step_dt(1.0 / 60.0)
         .with_max_steps(30)
-        .build_eframe(move |creation| {
-            app(creation, opening, services)
-        });
+        .build_eframe(move |creation| app(creation, opening, services));
     harness.run_steps(4);
     harness
 }

@@ -80,12 +80,7 @@ impl Files {
     }
 
     /// Takes over a file that is being read since before there was a window.
-    pub(super) fn await_reading(
-        &mut self,
-        reading: Reading,
-        waker: &Waker,
-        notices: &mut Notices,
-    ) {
+    pub(super) fn await_reading(&mut self, reading: Reading, waker: &Waker, notices: &mut Notices) {
         let path = reading.path().to_owned();
         let name = path.display().to_string();
         let finish =

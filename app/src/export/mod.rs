@@ -112,8 +112,13 @@ impl ExportWindow {
         match running.poll() {
             TaskState::Running => return,
             TaskState::Finished(Ok(report)) => {
-                let cost = duration(report.tracing_seconds);
-                let text = format!("{path}\n{} passes, {cost} of tracing", report.passes);
+                let StillReport { passes, tracing_seconds, tracer, warning } = report;
+                let cost = duration(tracing_seconds);
+                let mut text = format!("{path}\n{passes} passes, {cost} of tracing on {tracer}");
+                if let Some(warning) = warning {
+                    text.push_str("\nThe graphics device could not: ");
+                    text.push_str(&warning);
+                }
                 notices.confirm("Still exported", text);
             }
             TaskState::Finished(Err(RendererError::Cancelled)) => {

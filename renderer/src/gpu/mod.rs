@@ -68,6 +68,12 @@ impl Graphics {
         self.device_type() == wgpu::DeviceType::Cpu
     }
 
+    /// Whether both share one device.
+    pub(crate) fn is_same(&self, other: &Self) -> bool {
+        // Devices of two wgpu instances can be equal in the eyes of wgpu, which compares numbers.
+        Arc::ptr_eq(&self.shared, &other.shared)
+    }
+
     /// The device.
     pub fn device(&self) -> &wgpu::Device {
         &self.shared.device
