@@ -8,7 +8,7 @@ use crate::command::Command;
 use crate::theme;
 
 /// Widest text in the menu, in points.
-const MENU_WIDTH: f32 = 320.0;
+const MENU_WIDTH: f32 = 420.0;
 
 /// The tracers as the menu and the status line tell of them.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -30,8 +30,9 @@ pub struct Tracers {
 /// The choice of a tracer, as a menu.
 pub fn menu_ui(ui: &mut Ui, tracers: &Tracers, chosen: &mut Option<Command>) {
     ui.set_max_width(MENU_WIDTH);
-    let mut choice = |ui: &mut Ui, backend, text: &str, tooltip: &str, fault: Option<String>| {
-        let button = RadioButton::new(tracers.chosen == backend, text);
+    let mut choice = |ui: &mut Ui, backend, name, detail: &str, tooltip, fault: Option<String>| {
+        let detail = RichText::new(detail).small().color(theme::TEXT_WEAK);
+        let button = RadioButton::new(tracers.chosen == backend, (name, detail));
         let response = ui.add_enabled(fault.is_none(), button).on_hover_text(tooltip);
         if response.clicked() {
             *chosen = Some(Command::TraceWith(backend));
@@ -44,12 +45,15 @@ pub fn menu_ui(ui: &mut Ui, tracers: &Tracers, chosen: &mut Option<Command>) {
         ui,
         Backend::Auto,
         "Automatic",
+        "",
         "A graphics card where there is one that can trace, else the processor.",
         None,
     );
-    choice(ui, Backend::Cpu, "Processor", &tracers.processor.to_string(), None);
+    let processor = tracers.processor.to_string();
+    choice(ui, Backend::Cpu, "Processor", &processor, "All of its cores; always there.", None);
+    let device = tracers.device.as_ref().map_or_else(String::new, TracerName::to_string);
     let tooltip = tracers.device_tooltip();
-    choice(ui, Backend::Gpu, "Graphics device", &tooltip, tracers.device_fault());
+    choice(ui, Backend::Gpu, "Graphics device", &device, tooltip, tracers.device_fault());
     ui.separator();
     let in_use = tracers.in_use.as_ref().unwrap_or(&tracers.processor);
     ui.label(RichText::new(format!("In use: {in_use}")).color(theme::TEXT_WEAK));
@@ -98,13 +102,11 @@ impl Tracers {
         Some(("Too much for the graphics device.", reason))
     }
 
-    fn device_tooltip(&self) -> String {
-        match &self.device {
-            Some(device @ TracerName::Gpu { is_software: true, .. }) => {
-                format!("{device}\nThis is the processor in disguise, and slower than Processor.")
-            }
-            Some(device) => device.to_string(),
-            None => String::new(),
+    fn device_tooltip(&self) -> &'static str {
+        if matches!(self.device, Some(TracerName::Gpu { is_software: true, .. })) {
+            "This is the processor in disguise: slower than Processor, but a way to try it out."
+        } else {
+            "What draws this window."
         }
     }
 

@@ -16,7 +16,7 @@ use brilliance_renderer::tracer::Backend;
 use eframe::egui::{self, Key, Modifiers, Rect, accesskit::Role, pos2, vec2};
 use eframe::egui_wgpu::{RenderState, Renderer, RendererOptions};
 use egui_kittest::Harness;
-use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use egui_kittest::kittest::{By, NodeT as _, Queryable as _, by};
 use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
 use wgpu::util::DeviceExt as _;
 
@@ -29,9 +29,14 @@ fn open_tracers(harness: &mut AppHarness) {
     harness.run_steps(3);
 }
 
+/// The menu's entry, which goes on with the name of the device.
+fn tracer(name: &str) -> By<'_> {
+    by().role(Role::RadioButton).label_contains(name)
+}
+
 fn choose_tracer(harness: &mut AppHarness, name: &str) {
     open_tracers(harness);
-    harness.get_by_role_and_label(Role::RadioButton, name).click();
+    harness.get(tracer(name)).click();
     harness.run_steps(3);
 }
 
@@ -72,7 +77,7 @@ fn the_menu_chooses_the_tracer_and_changes_nothing_else() {
 fn without_a_device_the_menu_offers_none() {
     let mut harness = harness();
     open_tracers(&mut harness);
-    let device = harness.get_by_role_and_label(Role::RadioButton, "Graphics device");
+    let device = harness.get(tracer("Graphics device"));
     assert!(device.accesskit_node().is_disabled());
     harness.get_by_label_contains("In use: CPU");
 }
@@ -100,7 +105,7 @@ fn a_device_that_fails_is_told_of_once_and_can_be_tried_again() {
     assert!(harness.state().notices().list().is_empty(), "it was told before");
 
     open_tracers(&mut harness);
-    let device = harness.get_by_role_and_label(Role::RadioButton, "Graphics device");
+    let device = harness.get(tracer("Graphics device"));
     assert!(device.accesskit_node().is_disabled());
     harness.get_by_label("Try again").click();
     wait(&mut harness, "the second failure", |app| !app.notices().list().is_empty());
