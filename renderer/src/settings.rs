@@ -3,6 +3,7 @@
 
 use std::ops::RangeInclusive;
 
+use bytemuck::NoUninit;
 use serde::{Deserialize, Serialize};
 
 /// How a dispersed ray is divided over the spectrum.
@@ -71,7 +72,8 @@ impl Default for TraceSettings {
 }
 
 /// How luminance above the display's white is brought into range.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, NoUninit, Serialize, Deserialize)]
+#[repr(u32)]
 #[serde(rename_all = "kebab-case")]
 pub enum ToneCurve {
     /// Proportional up to white, clipped above it.

@@ -1,25 +1,164 @@
-//! Developing on a graphics device.
+//! Developing on a graphics device: the film is neither traced again nor read back.
 
+mod expose;
+#[cfg(test)]
+pub(super) mod layout;
+mod xyz_image;
+
+use wgpu::{BindingResource, BufferUsages, ComputePipeline, Device, TextureUsages};
+
+pub use expose::Band;
+pub use xyz_image::GpuXyzImage;
+
+use super::tone_curve::REINHARD_WHITE;
 use crate::error::RendererError;
-use crate::settings::DisplaySettings;
+use crate::gpu::Graphics;
+use crate::settings::ToneCurve;
 
-/// CIE XYZ per pixel in the memory of a graphics device. Cloning shares it.
+/// Side of the square of pixels that a workgroup takes.
+const WORKGROUP_SIDE: u32 = 8;
+
+/// From the film to CIE XYZ.
+const EXPOSE: [&str; 2] =
+    [include_str!("../shaders/finite.wgsl"), include_str!("../shaders/xyz.wgsl")];
+
+/// From CIE XYZ to sRGB codes.
+pub(super) const DEVELOP: [&str; 5] = [
+    include_str!("../shaders/finite.wgsl"),
+    include_str!("../shaders/tone_curve.wgsl"),
+    include_str!("../shaders/gamut.wgsl"),
+    include_str!("../shaders/srgb8.wgsl"),
+    include_str!("../shaders/development.wgsl"),
+];
+
+/// Exposes and develops films in the memory of a graphics device. Cloning shares it.
 #[derive(Clone, Debug)]
-pub struct GpuXyzImage {
-    size: [u32; 2],
+pub struct GpuDeveloper {
+    graphics: Graphics,
+    expose: ComputePipeline,
+    develop: ComputePipeline,
 }
 
-impl GpuXyzImage {
-    /// Width and height in pixels.
-    pub fn size(&self) -> [u32; 2] {
-        self.size
+impl GpuDeveloper {
+    /// Compiles the shaders for a device.
+    ///
+    /// # Errors
+    /// The device refuses the shaders, or fails.
+    pub fn new(graphics: &Graphics) -> Result<Self, RendererError> {
+        let [expose, develop] = graphics.guard("compile the shaders that develop", |device| {
+            [pipeline(device, "expose", &EXPOSE), pipeline(device, "develop", &DEVELOP)]
+        })?;
+        Ok(Self { graphics: graphics.clone(), expose, develop })
     }
 
-    /// The image as a display shows it.
-    pub(super) fn develop(
+    /// Runs `pipeline` over a texture's pixels; each of `runs` binds its resources in the order of
+    /// their numbers and says how many columns and rows it covers.
+    fn submit<'a>(
         &self,
-        _settings: &DisplaySettings,
-    ) -> Result<wgpu::Texture, RendererError> {
-        Err(RendererError::Graphics("not built yet".to_owned()))
+        device: &Device,
+        pipeline: &ComputePipeline,
+        runs: impl IntoIterator<Item = ([u32; 2], Vec<BindingResource<'a>>)>,
+    ) {
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+        pass.set_pipeline(pipeline);
+        for ([width, height], resources) in runs {
+            let entries = (0..).zip(resources);
+            let entries =
+                entries.map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource });
+            let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+                label: None,
+                layout: &pipeline.get_bind_group_layout(0),
+                entries: &entries.collect::<Vec<_>>(),
+            });
+            pass.set_bind_group(0, &group, &[]);
+            let groups = [width, height].map(|pixels| pixels.div_ceil(WORKGROUP_SIDE));
+            pass.dispatch_workgroups(groups[0], groups[1], 1);
+        }
+        drop(pass);
+        self.graphics.queue().submit([encoder.finish()]);
+    }
+
+    /// A buffer that holds `content`.
+    fn buffer(&self, device: &Device, usage: BufferUsages, content: &[u8]) -> wgpu::Buffer {
+        let buffer = device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("develop"),
+            size: content.len() as u64,
+            usage: usage | BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        self.graphics.queue().write_buffer(&buffer, 0, content);
+        buffer
+    }
+}
+
+/// A texture that shaders write to and then read.
+fn texture(
+    device: &Device,
+    [width, height]: [u32; 2],
+    format: wgpu::TextureFormat,
+    view_formats: &[wgpu::TextureFormat],
+) -> wgpu::Texture {
+    device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("develop"),
+        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format,
+        usage: TextureUsages::STORAGE_BINDING
+            | TextureUsages::TEXTURE_BINDING
+            | TextureUsages::COPY_SRC,
+        view_formats,
+    })
+}
+
+/// The only entry point of `modules`.
+fn pipeline(device: &Device, label: &str, modules: &[&str]) -> ComputePipeline {
+    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: Some(label),
+        source: wgpu::ShaderSource::Wgsl(source(modules).into()),
+    });
+    device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+        label: Some(label),
+        layout: None,
+        module: &module,
+        entry_point: None,
+        compilation_options: wgpu::PipelineCompilationOptions::default(),
+        cache: None,
+    })
+}
+
+/// The modules behind the constants that they share with the processor.
+fn source(modules: &[&str]) -> String {
+    let [reinhard, filmic] = [ToneCurve::Reinhard, ToneCurve::Filmic].map(|curve| curve as u32);
+    let constants = format!(
+        "const WORKGROUP_SIDE = {WORKGROUP_SIDE}u;\n\
+         const REINHARD = {reinhard}u;\n\
+         const FILMIC = {filmic}u;\n\
+         const REINHARD_WHITE = {REINHARD_WHITE:?}f;\n"
+    );
+    constants + &modules.join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use wgpu::naga::front::wgsl;
+    use wgpu::naga::valid::{Capabilities, ValidationFlags, Validator};
+
+    /// A module needs only what stands before it.
+    #[test]
+    fn every_prefix_of_the_shaders_is_valid() {
+        for modules in [&EXPOSE[..], &DEVELOP[..]] {
+            for count in 0..=modules.len() {
+                let source = source(&modules[..count]);
+                let module = wgsl::parse_str(&source)
+                    .unwrap_or_else(|error| panic!("{}", error.emit_to_string(&source)));
+                Validator::new(ValidationFlags::all(), Capabilities::empty())
+                    .validate(&module)
+                    .unwrap_or_else(|error| panic!("{}", error.emit_to_string(&source)));
+            }
+        }
     }
 }

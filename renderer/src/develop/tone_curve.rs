@@ -5,7 +5,7 @@ use wide::f32x8;
 use crate::settings::ToneCurve;
 
 /// The smallest luminance that [`ToneCurve::Reinhard`] shows as white: two stops above radiance 1.
-const REINHARD_WHITE: f32 = 4.0;
+pub(super) const REINHARD_WHITE: f32 = 4.0;
 
 impl ToneCurve {
     /// The factor that takes the luminance `y` > 0 to the display's luminance. The same factor on

@@ -1,6 +1,7 @@
 //! What develops pixels, eight side by side: one function behind both the still and the viewport.
 
-use glam::{DMat3, DVec3};
+use bytemuck::NoUninit;
+use glam::{DMat3, Vec3};
 use wide::f32x8;
 
 use super::gamut;
@@ -12,14 +13,24 @@ use crate::spectrum::{Bins, Illuminant, Observer, Spectrum};
 /// Pixels developed side by side.
 const LANES: usize = 8;
 
-/// Display settings made ready for pixels.
+/// Display settings made ready for pixels, as shaders read them too.
+///
+/// Each row makes one channel, exposed and adapted, from scene XYZ.
+#[derive(Clone, Copy, Debug, NoUninit)]
+#[repr(C)]
 pub(super) struct Development {
-    /// Exposed and adapted linear Rec. 709 from scene XYZ, row by row.
-    rgb_from_xyz: [[f32x8; 3]; 3],
-    /// Exposed and adapted luminance from scene XYZ.
-    luminance_from_xyz: [f32x8; 3],
+    /// Linear Rec. 709 red.
+    red_from_xyz: Vec3,
     tone_curve: ToneCurve,
-    gamut_mapping: bool,
+    /// Linear Rec. 709 green.
+    green_from_xyz: Vec3,
+    /// 1 moves colours into the gamut, 0 clips them.
+    gamut_mapping: u32,
+    /// Linear Rec. 709 blue.
+    blue_from_xyz: Vec3,
+    padding_0: u32,
+    luminance_from_xyz: Vec3,
+    padding_1: u32,
 }
 
 impl Development {
@@ -29,12 +40,15 @@ impl Development {
         let exposure = f64::from(settings.exposure_ev).exp2();
         let adapted_from_xyz = color::adaptation(white, color::d65_white()) * exposure;
         let rgb_from_xyz: DMat3 = color::rec709_from_xyz() * adapted_from_xyz;
-        let splat = |row: DVec3| row.as_vec3().to_array().map(f32x8::splat);
         Self {
-            rgb_from_xyz: [0, 1, 2].map(|channel| splat(rgb_from_xyz.row(channel))),
-            luminance_from_xyz: splat(adapted_from_xyz.row(1)),
+            red_from_xyz: rgb_from_xyz.row(0).as_vec3(),
             tone_curve: settings.tone_curve,
-            gamut_mapping: settings.gamut_mapping,
+            green_from_xyz: rgb_from_xyz.row(1).as_vec3(),
+            gamut_mapping: settings.gamut_mapping.into(),
+            blue_from_xyz: rgb_from_xyz.row(2).as_vec3(),
+            padding_0: 0,
+            luminance_from_xyz: adapted_from_xyz.row(1).as_vec3(),
+            padding_1: 0,
         }
     }
 
@@ -62,12 +76,16 @@ impl Development {
     /// Linear display RGB in 0..=1. What is not a finite colour of positive luminance is black.
     fn develop(&self, xyz: [f32x8; 3]) -> [f32x8; 3] {
         let y = dot(self.luminance_from_xyz, xyz);
-        let rgb = self.rgb_from_xyz.map(|row| dot(row, xyz));
+        let rows = [self.red_from_xyz, self.green_from_xyz, self.blue_from_xyz];
+        let rgb = rows.map(|row| dot(row, xyz));
         let is_color = y.simd_gt(f32x8::ZERO) & (rgb[0] + rgb[1] + rgb[2]).is_finite();
         let gain = self.tone_curve.gain(y);
         let rgb = rgb.map(|channel| channel * gain);
-        let shown =
-            if self.gamut_mapping { gamut::desaturate(rgb, y * gain) } else { gamut::clip(rgb) };
+        let shown = if self.gamut_mapping == 1 {
+            gamut::desaturate(rgb, y * gain)
+        } else {
+            gamut::clip(rgb)
+        };
         shown.map(|channel| channel & is_color)
     }
 }
@@ -85,8 +103,8 @@ impl WhitePoint {
     }
 }
 
-fn dot(a: [f32x8; 3], b: [f32x8; 3]) -> f32x8 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+fn dot(row: Vec3, xyz: [f32x8; 3]) -> f32x8 {
+    row.x * xyz[0] + row.y * xyz[1] + row.z * xyz[2]
 }
 
 /// Up to eight pixels, one channel per vector; missing ones are black.
@@ -98,4 +116,26 @@ fn from_pixels(pixels: &[[f32; 3]]) -> [f32x8; 3] {
         }
     }
     channels.map(f32x8::from)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::gpu::DEVELOP;
+    use super::super::gpu::layout::{layout, rust_layout};
+    use super::Development;
+
+    #[test]
+    fn the_shader_reads_a_development_as_it_is_written() {
+        let members = rust_layout!(Development {
+            red_from_xyz,
+            tone_curve,
+            green_from_xyz,
+            gamut_mapping,
+            blue_from_xyz,
+            padding_0,
+            luminance_from_xyz,
+            padding_1,
+        });
+        assert_eq!(layout(&DEVELOP, "Development"), members);
+    }
 }

@@ -1,0 +1,111 @@
+//! From the film to CIE XYZ on a graphics device.
+
+use bytemuck::{Pod, Zeroable};
+use wgpu::{BindingResource, BufferUsages, TextureFormat};
+
+use super::{GpuDeveloper, GpuXyzImage, texture};
+use crate::error::RendererError;
+use crate::spectrum::{Bins, Observer};
+
+/// Rows of a film in the memory of a graphics device.
+#[derive(Clone, Debug)]
+pub struct Band {
+    /// The film's row that is the band's first.
+    pub first_row: u32,
+    /// Number of rows.
+    pub rows: u32,
+    /// Radiance sums as f32, row by row, the bins of a pixel side by side; usage `STORAGE`.
+    pub buffer: wgpu::Buffer,
+}
+
+/// A band as the shader knows it.
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+#[repr(C)]
+struct Rows {
+    /// Pixels in a row.
+    width: u32,
+    /// The image's row that is the buffer's first.
+    first_row: u32,
+    row_count: u32,
+    bin_count: u32,
+}
+
+impl GpuDeveloper {
+    /// Integrates the mean over the passes of a film of `size` pixels in `bands`. A pixel that
+    /// holds a NaN or an infinity is black.
+    ///
+    /// # Errors
+    /// The image is larger than the device's textures, or the device fails.
+    pub fn expose(
+        &self,
+        size: [u32; 2],
+        bins: Bins,
+        passes: u32,
+        bands: &[Band],
+    ) -> Result<GpuXyzImage, RendererError> {
+        self.check_size(size)?;
+        let texture = self.graphics.guard("expose the film", |device| {
+            let texture = texture(device, size, TextureFormat::Rgba32Float, &[]);
+            let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+            let weights = weights(bins, passes);
+            let weights =
+                self.buffer(device, BufferUsages::STORAGE, bytemuck::cast_slice(&weights));
+            let rows = bands.iter().map(|band| {
+                let rows = Rows {
+                    width: size[0],
+                    first_row: band.first_row,
+                    row_count: band.rows,
+                    bin_count: bins.count() as u32,
+                };
+                self.buffer(device, BufferUsages::UNIFORM, bytemuck::bytes_of(&rows))
+            });
+            let rows: Vec<_> = rows.collect();
+            let runs = bands.iter().zip(&rows).map(|(band, rows)| {
+                let resources = vec![
+                    rows.as_entire_binding(),
+                    weights.as_entire_binding(),
+                    band.buffer.as_entire_binding(),
+                    BindingResource::TextureView(&view),
+                ];
+                ([size[0], band.rows], resources)
+            });
+            self.submit(device, &self.expose, runs);
+            texture
+        })?;
+        Ok(GpuXyzImage::new(self.clone(), texture, bins))
+    }
+
+    /// A texture of this size can be made.
+    fn check_size(&self, [width, height]: [u32; 2]) -> Result<(), RendererError> {
+        let largest = self.graphics.device().limits().max_texture_dimension_2d;
+        if (1..=largest).contains(&width) && (1..=largest).contains(&height) {
+            return Ok(());
+        }
+        Err(RendererError::Graphics(format!(
+            "the graphics device {} can't show {width} × {height} pixels: it takes 1 to {largest} \
+             a side; choose another size, or trace on the CPU",
+            self.graphics.name()
+        )))
+    }
+}
+
+/// What radiance 1 in each bin adds to X, Y and Z of the mean over the passes. The shader reads
+/// three of four.
+fn weights(bins: Bins, passes: u32) -> Vec<[f32; 4]> {
+    let scale = 1.0 / f64::from(passes.max(1));
+    let weights = Observer::bin_weights(bins).into_iter();
+    weights.map(|weight| (weight * scale).as_vec3().extend(0.0).to_array()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::EXPOSE;
+    use super::super::layout::{layout, rust_layout};
+    use super::*;
+
+    #[test]
+    fn the_shader_reads_rows_as_they_are_written() {
+        let members = rust_layout!(Rows { width, first_row, row_count, bin_count });
+        assert_eq!(layout(&EXPOSE, "Rows"), members);
+    }
+}
