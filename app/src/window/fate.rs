@@ -2,12 +2,17 @@
 
 use std::cell::{Cell, OnceCell};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::time::Duration;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, MutexGuard};
+use std::time::{Duration, Instant};
 
 use brilliance_renderer::gpu::Graphics;
 
 /// Longest wait for a device that may be lost.
 const PATIENCE: Duration = Duration::from_secs(1);
+
+/// How long a surface may have to be configured after something happened to it.
+const SETTLING_TIME: Duration = Duration::from_millis(300);
 
 /// How a window ended.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,6 +30,9 @@ pub(super) enum Ending {
 pub(super) struct Fate {
     graphics: OnceCell<Graphics>,
     is_closed: Cell<bool>,
+    /// Something happened to the surface that it is drawn on.
+    surface_moved: Arc<AtomicBool>,
+    settling_since: Cell<Option<Instant>>,
 }
 
 impl Fate {
@@ -37,6 +45,22 @@ impl Fate {
     /// The window is closed by the user; its device may go.
     pub(super) fn close(&self) {
         self.is_closed.set(true);
+    }
+
+    /// What is set when something happens to the surface.
+    pub(super) fn surface_moved(&self) -> &Arc<AtomicBool> {
+        &self.surface_moved
+    }
+
+    /// Keeps the renderer from the device while the surface may have to be configured, which wgpu
+    /// does not do at the same time.
+    pub(super) fn pause_renderer(&self) -> Option<MutexGuard<'_, ()>> {
+        if self.surface_moved.swap(false, Ordering::Relaxed) {
+            self.settling_since.set(Some(Instant::now()));
+        }
+        let since = self.settling_since.get()?;
+        let graphics = self.graphics.get()?;
+        (since.elapsed() < SETTLING_TIME).then(|| graphics.pause())
     }
 
     /// Whether the device was lost while the window was open.

@@ -65,7 +65,9 @@ impl Readback {
         };
         let arrival = self.arrival.take();
         let arrival = arrival.ok_or_else(|| unreadable("none were asked for".to_owned()))?;
-        graphics.wait(&arrival)?.map_err(|error| unreadable(error.to_string()))?;
+        if let Some(arrived) = graphics.wait(&arrival)? {
+            arrived.map_err(|error| unreadable(error.to_string()))?;
+        }
         let view = self.buffer.get_mapped_range(..);
         let view = view.map_err(|error| unreadable(error.to_string()))?;
         let seen = read(&view);
