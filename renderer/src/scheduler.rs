@@ -78,15 +78,27 @@ impl Scheduler {
     pub const ROUND_SECONDS: f64 = 0.1;
     /// Coarsest draft: pixels of 32 × 32.
     pub const MAX_DIVISOR: u32 = 32;
-    /// Costs of a pixel before the first is measured, in seconds.
-    const UNMEASURED_DRAFT: f64 = 1e-6;
-    const UNMEASURED_FULL: f64 = 1e-5;
+    /// Costs of a full pass per pixel before the first is measured, in seconds.
+    const PROCESSOR_GUESS: f64 = 1e-5;
+    const GRAPHICS_CARD_GUESS: f64 = 1e-8;
+    /// What a draft is guessed to cost of that.
+    const DRAFT_SHARE: f64 = 0.1;
 
-    /// Nothing to do yet.
-    pub fn new() -> Self {
+    /// Nothing to do yet, for a tracer on the processor.
+    pub fn for_processor() -> Self {
+        Self::guessing(Self::PROCESSOR_GUESS)
+    }
+
+    /// Nothing to do yet, for a graphics card. It takes over from the processor, whose picture
+    /// should stay until there is one of full resolution.
+    pub fn for_graphics_card() -> Self {
+        Self::guessing(Self::GRAPHICS_CARD_GUESS)
+    }
+
+    fn guessing(full_seconds_per_pixel: f64) -> Self {
         Self {
-            draft: Cost::guess(Self::UNMEASURED_DRAFT),
-            full: Cost::guess(Self::UNMEASURED_FULL),
+            draft: Cost::guess(Self::DRAFT_SHARE * full_seconds_per_pixel),
+            full: Cost::guess(full_seconds_per_pixel),
             pixels: 0,
             pass_limit: 0,
             stage: Stage::Accumulate { passes: 0 },
@@ -144,12 +156,6 @@ impl Scheduler {
     }
 }
 
-impl Default for Scheduler {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
 /// Number of passes to add in one round to a film of `done` passes that wants `limit`, where a pass
 /// takes `pass_seconds`; at least 1.
 ///
@@ -188,7 +194,7 @@ mod tests {
 
     #[test]
     fn drafts_get_finer_until_full_effort_accumulates() {
-        let mut scheduler = Scheduler::new();
+        let mut scheduler = Scheduler::for_processor();
         scheduler.restart(SIZE, 3);
         let works = run(&mut scheduler, 1e-6, 1e-5);
         let (drafts, passes) = works.split_at(works.len() - 3);
@@ -202,7 +208,7 @@ mod tests {
 
     #[test]
     fn cheap_pictures_need_no_draft() {
-        let mut scheduler = Scheduler::new();
+        let mut scheduler = Scheduler::for_processor();
         scheduler.restart([40, 40], 2);
         assert_eq!(scheduler.next().map(|work| work.effort), Some(Effort::Full));
     }
@@ -210,7 +216,7 @@ mod tests {
     #[test]
     fn the_first_pass_after_a_change_keeps_to_the_preview_budget() {
         for draft in [1e-8, 1e-7, 1e-6, 4e-6] {
-            let mut scheduler = Scheduler::new();
+            let mut scheduler = Scheduler::for_processor();
             scheduler.restart(SIZE, 20);
             run(&mut scheduler, draft, 10.0 * draft);
             scheduler.restart(SIZE, 20);
@@ -222,7 +228,7 @@ mod tests {
 
     #[test]
     fn a_higher_limit_carries_on() {
-        let mut scheduler = Scheduler::new();
+        let mut scheduler = Scheduler::for_processor();
         scheduler.restart(SIZE, 2);
         run(&mut scheduler, 1e-6, 1e-5);
         scheduler.limit_passes(4);
@@ -236,7 +242,7 @@ mod tests {
 
     #[test]
     fn fast_passes_come_in_rounds_that_double_the_film_up_to_a_tenth_of_a_second() {
-        let mut scheduler = Scheduler::new();
+        let mut scheduler = Scheduler::for_processor();
         scheduler.restart(SIZE, 1000);
         run(&mut scheduler, FAST, FAST);
         scheduler.restart(SIZE, 1000);
@@ -251,7 +257,7 @@ mod tests {
     #[test]
     fn passes_longer_than_the_publish_interval_come_one_by_one() {
         for full in [0.034 / PIXELS, 1.0 / PIXELS] {
-            let mut scheduler = Scheduler::new();
+            let mut scheduler = Scheduler::for_processor();
             scheduler.restart(SIZE, 12);
             let works = run(&mut scheduler, full / 4.0, full);
             assert!(works.iter().all(|work| work.passes == 1), "{works:?}");
@@ -259,8 +265,17 @@ mod tests {
     }
 
     #[test]
+    fn a_graphics_card_begins_at_full_resolution() {
+        for size in [SIZE, [3840, 2160]] {
+            let mut scheduler = Scheduler::for_graphics_card();
+            scheduler.restart(size, 1);
+            assert_eq!(scheduler.next().map(|work| work.divisor), Some(1));
+        }
+    }
+
+    #[test]
     fn the_first_measurement_replaces_the_guess() {
-        let mut scheduler = Scheduler::new();
+        let mut scheduler = Scheduler::for_processor();
         scheduler.restart(SIZE, 1);
         run(&mut scheduler, FAST, FAST);
         scheduler.restart(SIZE, 1);
@@ -278,7 +293,7 @@ mod tests {
 
     #[test]
     fn an_empty_picture_or_no_passes_is_no_work() {
-        let mut scheduler = Scheduler::new();
+        let mut scheduler = Scheduler::for_processor();
         scheduler.restart([0, 800], 10);
         assert_eq!(scheduler.next(), None);
         scheduler.restart([100, 100], 0);

@@ -9,7 +9,7 @@ mod wait;
 
 use std::sync::{Arc, Mutex, OnceLock};
 
-pub(crate) use readback::Readback;
+pub(crate) use readback::{Arrival, Readback};
 
 use crate::error::RendererError;
 
@@ -56,6 +56,12 @@ impl Graphics {
         Self { shared: Arc::new(Shared { device, queue, info, gate: Mutex::new(()), loss }) }
     }
 
+    /// Whether both are clones of one. (wgpu takes the first devices of two of its instances for
+    /// equal.)
+    pub(crate) fn is_same(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.shared, &other.shared)
+    }
+
     /// The device as its driver names it.
     pub fn name(&self) -> &str {
         &self.shared.info.name
@@ -69,12 +75,6 @@ impl Graphics {
     /// Whether the device is the processor in disguise.
     pub fn is_software(&self) -> bool {
         self.device_type() == wgpu::DeviceType::Cpu
-    }
-
-    /// Whether both share one device.
-    pub(crate) fn is_same(&self, other: &Self) -> bool {
-        // Devices of two wgpu instances can be equal in the eyes of wgpu, which compares numbers.
-        Arc::ptr_eq(&self.shared, &other.shared)
     }
 
     /// The device.

@@ -33,11 +33,10 @@ impl Graphics {
             match answer.try_recv() {
                 Ok(value) => return Ok(Some(value)),
                 Err(TryRecvError::Disconnected) => return self.check_loss().map(|()| None),
-                Err(TryRecvError::Empty) => {}
+                Err(TryRecvError::Empty) => self.check_loss()?,
             }
-            self.check_loss()?;
             if start.elapsed() > patience {
-                self.give_up(&format!("no answer for {} s", patience.as_secs()));
+                return Err(self.lose(&format!("no answer for {} s", patience.as_secs())));
             }
             thread::sleep(LOOK_INTERVAL);
         }
@@ -49,7 +48,7 @@ impl Graphics {
         // free and the loss has been told.
         let polled = catch_unwind(AssertUnwindSafe(|| self.device().poll(wgpu::PollType::Poll)));
         if polled.is_err() {
-            self.give_up("its driver failed");
+            self.lose("its driver failed");
         }
     }
 }

@@ -10,7 +10,7 @@ use super::shared::Shared;
 use crate::error::RendererError;
 use crate::scheduler::Scheduler;
 use crate::spectrum::Bins;
-use crate::tracer::{DEVICE_PANICKED, Device, Tracer};
+use crate::tracer::{DEVICE_PANICKED, Device, Tracer, TracerName};
 
 /// What the user reads where a tracer has panicked.
 const PANICKED: &str = "the tracer failed on this scene, which is a fault of the program; \
@@ -71,7 +71,11 @@ pub(super) struct Workplace<T: Tracer> {
 
 impl<T: Tracer> Workplace<T> {
     pub(super) fn new(tracer: Arc<T>, device: Option<u64>) -> Self {
-        Self { tracer, device, scheduler: Scheduler::new(), job: None }
+        let scheduler = match tracer.name() {
+            TracerName::Gpu { is_software: false, .. } => Scheduler::for_graphics_card(),
+            _ => Scheduler::for_processor(),
+        };
+        Self { tracer, device, scheduler, job: None }
     }
 
     /// Whether this is on the device of that number.
