@@ -1,3 +1,5 @@
 //! The shaders against their Rust twins.
 
 mod modules;
+mod probe;
+mod probes;

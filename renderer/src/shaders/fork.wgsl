@@ -123,6 +123,7 @@ fn total_reflect(ray: Ray, hit: Hit, at: Interface) {
     send(reflected_ray(ray, hit, at));
 }
 
+// The mirrored ray.
 fn reflected_ray(ray: Ray, hit: Hit, at: Interface) -> Ray {
     var reflected = ray;
     reflected.instance = hit.instance;

@@ -47,6 +47,7 @@ fn runs_in_absorber(ray: Ray) -> bool {
         && instances[ray.medium].material == ray.absorber;
 }
 
+// Whether the ray ends at `hit`.
 fn meets_opaque(hit: Hit) -> bool {
     return hit.instance == GROUND || is_opaque(material_of(hit.instance));
 }

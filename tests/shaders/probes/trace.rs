@@ -1,0 +1,90 @@
+//! The walk itself, for one ray and for some.
+
+use brilliance_renderer::kernel::intersect::find_intersection;
+use brilliance_renderer::kernel::ray::Ray;
+use brilliance_renderer::kernel::trace::{follow, meets_opaque, runs_in_absorber};
+use brilliance_renderer::packed::NONE;
+
+use crate::probe::{Case, EXACT, Probe, Table, Tolerance, World};
+
+#[test]
+fn trace() {
+    table().check();
+}
+
+pub(super) fn table() -> Table {
+    Table {
+        worlds: vec![World::full(), World::curt(), World::sliver(), World::empty()],
+        probes: vec![
+            Probe {
+                name: "trace",
+                wgsl: "begin_walk();
+    send(take_ray());
+    put_u32(trace(3u));
+    put_walk();",
+                rust: |world, take, put| {
+                    world.walk(take, put, |walk, take, put| {
+                        walk.send(&take.ray());
+                        let mut left = 3;
+                        while walk.has_rays() && left > 0 {
+                            follow(walk);
+                            left -= 1;
+                        }
+                        put.u32(left);
+                    });
+                },
+                cases: rays,
+                // A tree of rays amplifies what each makes of roundings.
+                tolerance: Tolerance::relative(2e-3).or(2e-3).but(0.05),
+            },
+            Probe {
+                name: "follow",
+                wgsl: "begin_walk();
+    send(take_ray());
+    if has_rays() {
+        follow();
+    }
+    put_walk();",
+                rust: |world, take, put| {
+                    world.walk(take, put, |walk, take, _| {
+                        walk.send(&take.ray());
+                        if walk.has_rays() {
+                            follow(walk);
+                        }
+                    });
+                },
+                cases: rays,
+                // Critical angles, edges of lights, shadows and facets: where rounding decides.
+                tolerance: Tolerance::relative(1e-4).or(1e-4).but(0.03),
+            },
+            Probe {
+                name: "runs_in_absorber",
+                wgsl: "put_bool(runs_in_absorber(take_ray()));",
+                rust: |world, take, put| {
+                    put.bool(runs_in_absorber(&world.scene, &take.ray()));
+                },
+                cases: |world| {
+                    world.rays(600).into_iter().map(|ray| Case::new().ray(&ray)).collect()
+                },
+                tolerance: EXACT,
+            },
+            Probe {
+                name: "meets_opaque",
+                wgsl: "put_bool(meets_opaque(take_hit()));",
+                rust: |world, take, put| put.bool(meets_opaque(&world.scene, &take.hit())),
+                cases: |world| {
+                    let hit = |ray: &Ray| find_intersection(&world.scene, ray);
+                    let rays = world.rays(600);
+                    let hits = rays.iter().map(hit).filter(|hit| hit.instance != NONE);
+                    hits.map(|hit| Case::new().hit(&hit)).collect()
+                },
+                tolerance: EXACT,
+            },
+        ],
+    }
+}
+
+fn rays(world: &World) -> Vec<Case> {
+    let case = |(i, ray): (usize, Ray)| Case::new().u32(i as u32).u32(i as u32 / 7).ray(&ray);
+    world.rays(1000).into_iter().enumerate().map(case).collect()
+}
