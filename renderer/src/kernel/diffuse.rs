@@ -14,35 +14,40 @@ use crate::packed::{NONE, PackedDisc};
 /// Deposits the light that the surface at `hit` sends back along `ray`, which ends there.
 ///
 /// Each disc counts with its solid angle (Thomas 1986: 2π(1 − √(1 − s²))) and is asked for by one
-/// shadow ray to a point on it that changes from pass to pass; so is the sky.
+/// shadow ray to a point on it that changes from pass to pass; so, last, is the sky.
 #[inline]
 pub fn shade_diffuse(walk: &mut Walk<'_>, ray: &Ray, hit: &Hit) {
     let scene = walk.scene;
+    let sky = &scene.sky;
     let reflectance = reflectance_at(walk, ray, hit);
     let normal = if ray.direction.dot(hit.normal) > 0.0 { -hit.normal } else { hit.normal };
-    for disc in &scene.discs {
+    let disc_count = scene.discs.len() as u32;
+    let has_sky = sky.hemisphere != NONE || sky.environment != NONE;
+    for light in 0..disc_count + u32::from(has_sky) {
+        let is_sky = light == disc_count;
         let sample = rng::light_sample(walk.next_seed(), walk.pass_index);
-        let direction = direction_on_disc(disc, sample);
-        let cos = direction.dot(normal);
-        if cos > 0.0 && !is_shadowed(walk, ray, hit, direction) {
-            let scale = FRAC_1_PI * disc.solid_angle * cos;
-            deposit(walk, ray, disc.spectrum, reflectance, scale);
+        let direction;
+        let mut scale = 1.0;
+        if is_sky {
+            direction = direction_by_cosine(normal, sample);
+        } else {
+            let disc = &scene.discs[light as usize];
+            direction = direction_on_disc(disc, sample);
+            scale = FRAC_1_PI * disc.solid_angle * direction.dot(normal);
         }
-    }
-    let sky = &scene.sky;
-    if sky.hemisphere == NONE && sky.environment == NONE {
-        return;
-    }
-    let sample = rng::light_sample(walk.next_seed(), walk.pass_index);
-    let direction = direction_by_cosine(normal, sample);
-    if is_shadowed(walk, ray, hit, direction) {
-        return;
-    }
-    if sky.environment != NONE {
-        deposit(walk, ray, sky.environment, reflectance, 1.0);
-    }
-    if sky.hemisphere != NONE && direction.z > 0.0 {
-        deposit(walk, ray, sky.hemisphere, reflectance, 1.0);
+        if scale <= 0.0 || is_shadowed(walk, ray, hit, direction) {
+            continue;
+        }
+        if !is_sky {
+            deposit(walk, ray, scene.discs[light as usize].spectrum, reflectance, scale);
+            continue;
+        }
+        if sky.environment != NONE {
+            deposit(walk, ray, sky.environment, reflectance, scale);
+        }
+        if sky.hemisphere != NONE && direction.z > 0.0 {
+            deposit(walk, ray, sky.hemisphere, reflectance, scale);
+        }
     }
 }
 

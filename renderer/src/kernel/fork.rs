@@ -1,4 +1,4 @@
-//! What becomes of a ray at an interface (the paper's `fork_rays`, `refract`, `total_reflect`).
+//! What becomes of a ray at an interface (the paper's `fork_rays` and `refract`).
 
 use glam::Vec3;
 
@@ -27,19 +27,23 @@ pub fn fork_rays(walk: &mut Walk<'_>, ray: &Ray, hit: &Hit) {
     let (low_nm, high_nm) = (ray.lambda_low_nm, ray.lambda_high_nm);
     let low_is_reflected = is_totally_reflected(scene, &at, fan_at(&incident, low_nm), low_nm);
     let high_is_reflected = is_totally_reflected(scene, &at, fan_at(&incident, high_nm), high_nm);
-    if low_is_reflected && high_is_reflected {
-        total_reflect(walk, ray, hit, &at);
-    } else if !low_is_reflected && !high_is_reflected {
-        split_and_refract(walk, &incident, ray.spread, hit, &at);
-    } else {
+    let mut reflected = *ray;
+    let mut refracted = incident;
+    let mut refracted_spread = ray.spread;
+    if low_is_reflected != high_is_reflected {
         let dividing_nm = find_total_refl_wave(scene, &at, &incident, low_is_reflected);
-        let mut reflected = perturb(&incident, low_nm, dividing_nm);
-        let mut refracted = perturb(&incident, dividing_nm, high_nm);
+        reflected = perturb(&incident, low_nm, dividing_nm);
+        refracted = perturb(&incident, dividing_nm, high_nm);
         if high_is_reflected {
             (reflected, refracted) = (refracted, reflected);
         }
-        total_reflect(walk, &reflected, hit, &at);
-        split_and_refract(walk, &refracted, refracted.spread, hit, &at);
+        refracted_spread = refracted.spread;
+    }
+    if low_is_reflected || high_is_reflected {
+        walk.send(&reflected_ray(&reflected, hit, &at));
+    }
+    if !low_is_reflected || !high_is_reflected {
+        split_and_refract(walk, &refracted, refracted_spread, hit, &at);
     }
 }
 
@@ -80,18 +84,20 @@ pub fn split_and_refract(walk: &mut Walk<'_>, ray: &Ray, spread: Vec3, hit: &Hit
     if meets_second_absorber(scene, ray, hit) {
         count = count.max(((high_nm - low_nm) / scene.bins.width_nm()).ceil() as u32);
     }
-    if count == 1 {
-        refract_and_reflect(walk, ray, hit, at, spread_between(low_end, last_end));
-        return;
-    }
     let mut edge_nm = low_nm;
     for i in 1..=count {
-        let next_nm = low_nm + (high_nm - low_nm) * (i as f32 / count as f32);
-        let high_end = if i == count { last_end } else { refracted_at(scene, ray, at, next_nm) };
-        let sub_ray = perturb(ray, edge_nm, next_nm);
+        let mut sub_ray = *ray;
+        let mut high_end = last_end;
+        if count > 1 {
+            let next_nm = low_nm + (high_nm - low_nm) * (i as f32 / count as f32);
+            sub_ray = perturb(ray, edge_nm, next_nm);
+            edge_nm = next_nm;
+        }
+        if i < count {
+            high_end = refracted_at(scene, ray, at, edge_nm);
+        }
         refract_and_reflect(walk, &sub_ray, hit, at, spread_between(low_end, high_end));
         low_end = high_end;
-        edge_nm = next_nm;
     }
 }
 
@@ -116,14 +122,16 @@ pub fn refract_and_reflect(
     let eta = relative_index(walk.scene, at, central_nm);
     let cos_i = -ray.direction.dot(at.normal);
     let cos_t_squared = cos_refracted_squared(cos_i, eta);
-    if cos_i <= 0.0 || cos_t_squared <= 0.0 {
-        total_reflect(walk, ray, hit, at);
-        return;
+    let mut reflectance = 1.0;
+    if cos_i > 0.0 && cos_t_squared > 0.0 {
+        reflectance = fresnel(cos_i, cos_t_squared.sqrt(), eta);
     }
-    let reflectance = fresnel(cos_i, cos_t_squared.sqrt(), eta);
     let mut reflected = reflected_ray(ray, hit, at);
     reflected.significance *= reflectance;
     walk.send(&reflected);
+    if reflectance == 1.0 {
+        return;
+    }
     let medium = medium_beyond(ray, hit);
     let mut refracted = *ray;
     refracted.direction = refract(ray.direction, at.normal, eta);
@@ -138,14 +146,7 @@ pub fn refract_and_reflect(
     walk.send(&refracted);
 }
 
-/// Sends on the whole ray, mirrored.
-#[inline]
-pub fn total_reflect(walk: &mut Walk<'_>, ray: &Ray, hit: &Hit, at: &Interface) {
-    let reflected = reflected_ray(ray, hit, at);
-    walk.send(&reflected);
-}
-
-/// The mirrored ray.
+/// The whole ray, mirrored.
 #[inline]
 pub fn reflected_ray(ray: &Ray, hit: &Hit, at: &Interface) -> Ray {
     let mut reflected = *ray;

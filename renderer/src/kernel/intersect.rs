@@ -43,12 +43,14 @@ pub fn is_occluded(scene: &PackedScene, ray: &Ray) -> bool {
     meet_ground(scene, ray).instance != NONE || meet_bodies(scene, ray, FAR, true).instance != NONE
 }
 
-/// A ray that a mesh seems not to let out, tried again from slightly further inside.
+/// The ray inside a body, from slightly further inside and met by every facet.
 #[inline]
-pub fn find_lost_exit(scene: &PackedScene, ray: &Ray) -> Hit {
+pub fn nudge_inwards(scene: &PackedScene, ray: &Ray) -> Ray {
     let center = scene.instances[ray.medium as usize].center;
-    let nudged = Ray { origin: ray.origin + (center - ray.origin) * NUDGE, facet: NONE, ..*ray };
-    meet_instance(scene, &nudged, ray.medium, FAR)
+    let mut nudged = *ray;
+    nudged.origin += (center - ray.origin) * NUDGE;
+    nudged.facet = NONE;
+    nudged
 }
 
 /// The nearest body, or with `any` the first that is found.

@@ -2,7 +2,7 @@
 
 use crate::kernel::diffuse::shade_diffuse;
 use crate::kernel::fork::fork_rays;
-use crate::kernel::intersect::{find_intersection, find_lost_exit};
+use crate::kernel::intersect::{find_intersection, nudge_inwards};
 use crate::kernel::lights::ray_light;
 use crate::kernel::ray::{GROUND, Hit, Ray};
 use crate::kernel::walk::Walk;
@@ -23,29 +23,42 @@ pub fn follow(walk: &mut Walk<'_>) {
     let scene = walk.scene;
     let mut ray = walk.pop();
     walk.tally.segments += 1;
-    let mut hit = find_intersection(scene, &ray);
-    if hit.instance == NONE && ray.medium != NONE {
-        hit = find_lost_exit(scene, &ray);
-        if hit.instance == NONE {
-            walk.tally.lost += walk.retire(&ray);
-            return;
+    let mut hit = Hit::MISS;
+    for attempt in 0..2 {
+        if attempt > 0 {
+            // A mesh seems not to let the ray out: once more, from slightly further inside.
+            ray = nudge_inwards(scene, &ray);
+        }
+        hit = find_intersection(scene, &ray);
+        if !is_lost(&ray, &hit) {
+            break;
         }
     }
-    if hit.instance == NONE {
-        ray_light(walk, &ray);
-        walk.tally.returned += walk.retire(&ray);
-        return;
-    }
-    ray.origin += ray.direction * hit.distance;
-    if runs_in_absorber(scene, &ray) {
-        ray.path_mm += hit.distance;
-    }
-    if meets_opaque(scene, &hit) {
+    if hit.instance != NONE {
+        ray.origin += ray.direction * hit.distance;
+        if runs_in_absorber(scene, &ray) {
+            ray.path_mm += hit.distance;
+        }
+        if !meets_opaque(scene, &hit) {
+            fork_rays(walk, &ray, &hit);
+            return;
+        }
         shade_diffuse(walk, &ray, &hit);
-        walk.tally.returned += walk.retire(&ray);
-    } else {
-        fork_rays(walk, &ray, &hit);
+    } else if ray.medium == NONE {
+        ray_light(walk, &ray);
     }
+    let energy = walk.retire(&ray);
+    if is_lost(&ray, &hit) {
+        walk.tally.lost += energy;
+    } else {
+        walk.tally.returned += energy;
+    }
+}
+
+/// Whether the ray is inside of a body that it does not meet from there.
+#[inline]
+pub fn is_lost(ray: &Ray, hit: &Hit) -> bool {
+    hit.instance == NONE && ray.medium != NONE
 }
 
 /// Whether the ray's medium is the material whose path it counts.

@@ -122,13 +122,18 @@ impl<'a> Walk<'a> {
     #[inline]
     pub fn send(&mut self, ray: &Ray) {
         let significance = ray.significance * transmittance_bound(self.scene, ray);
-        if significance < self.rules.significance_threshold {
-            self.tally.pruned += self.retire(ray);
-        } else if ray.depth > self.rules.max_depth || self.stack.count == STACK_LEN {
-            self.tally.cut_off += self.retire(ray);
-        } else {
+        let is_weak = significance < self.rules.significance_threshold;
+        let is_too_much = ray.depth > self.rules.max_depth || self.stack.count == STACK_LEN;
+        if !is_weak && !is_too_much {
             self.stack.rays[self.stack.count] = *ray;
             self.stack.count += 1;
+            return;
+        }
+        let energy = self.retire(ray);
+        if is_weak {
+            self.tally.pruned += energy;
+        } else {
+            self.tally.cut_off += energy;
         }
     }
 

@@ -3,32 +3,38 @@
 // Deposits the light that the surface at `hit` sends back along `ray`, which ends there.
 //
 // Each disc counts with its solid angle (Thomas 1986: 2π(1 − √(1 − s²))) and is asked for by one
-// shadow ray to a point on it that changes from pass to pass; so is the sky.
+// shadow ray to a point on it that changes from pass to pass; so, last, is the sky.
 fn shade_diffuse(ray: Ray, hit: Hit) {
+    let sky = frame.sky;
     let reflectance = reflectance_at(ray, hit);
     let normal = select(hit.normal, -hit.normal, dot(ray.direction, hit.normal) > 0.0);
-    for (var i = 0u; i < frame.disc_count; i++) {
-        let disc = discs[i];
-        let direction = direction_on_disc(disc, light_sample(next_seed(), walk.pass_index));
-        let cos = dot(direction, normal);
-        if cos > 0.0 && !is_shadowed(ray, hit, direction) {
-            let scale = FRAC_1_PI * disc.solid_angle * cos;
-            deposit(ray, disc.spectrum, reflectance, scale);
+    let disc_count = frame.disc_count;
+    let has_sky = sky.hemisphere != NONE || sky.environment != NONE;
+    for (var light = 0u; light < disc_count + u32(has_sky); light++) {
+        let is_sky = light == disc_count;
+        let at = light_sample(next_seed(), walk.pass_index);
+        var direction: vec3f;
+        var scale = 1.0;
+        if is_sky {
+            direction = direction_by_cosine(normal, at);
+        } else {
+            let disc = discs[light];
+            direction = direction_on_disc(disc, at);
+            scale = FRAC_1_PI * disc.solid_angle * dot(direction, normal);
         }
-    }
-    let sky = frame.sky;
-    if sky.hemisphere == NONE && sky.environment == NONE {
-        return;
-    }
-    let direction = direction_by_cosine(normal, light_sample(next_seed(), walk.pass_index));
-    if is_shadowed(ray, hit, direction) {
-        return;
-    }
-    if sky.environment != NONE {
-        deposit(ray, sky.environment, reflectance, 1.0);
-    }
-    if sky.hemisphere != NONE && direction.z > 0.0 {
-        deposit(ray, sky.hemisphere, reflectance, 1.0);
+        if scale <= 0.0 || is_shadowed(ray, hit, direction) {
+            continue;
+        }
+        if !is_sky {
+            deposit(ray, discs[light].spectrum, reflectance, scale);
+            continue;
+        }
+        if sky.environment != NONE {
+            deposit(ray, sky.environment, reflectance, scale);
+        }
+        if sky.hemisphere != NONE && direction.z > 0.0 {
+            deposit(ray, sky.hemisphere, reflectance, scale);
+        }
     }
 }
 

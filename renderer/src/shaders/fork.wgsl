@@ -1,4 +1,4 @@
-// What becomes of a ray at an interface (the paper's `fork_rays`, `refract`, `total_reflect`).
+// What becomes of a ray at an interface (the paper's `fork_rays` and `refract`).
 
 // Sends on what the interface at `hit` makes of `ray`, which has been moved to it.
 fn fork_rays(ray: Ray, hit: Hit) {
@@ -12,21 +12,25 @@ fn fork_rays(ray: Ray, hit: Hit) {
     let high_nm = ray.lambda_high_nm;
     let low_is_reflected = is_totally_reflected(at, fan_at(incident, low_nm), low_nm);
     let high_is_reflected = is_totally_reflected(at, fan_at(incident, high_nm), high_nm);
-    if low_is_reflected && high_is_reflected {
-        total_reflect(ray, hit, at);
-    } else if !low_is_reflected && !high_is_reflected {
-        split_and_refract(incident, ray.spread, hit, at);
-    } else {
+    var reflected = ray;
+    var refracted = incident;
+    var refracted_spread = ray.spread;
+    if low_is_reflected != high_is_reflected {
         let dividing_nm = find_total_refl_wave(at, incident, low_is_reflected);
-        var reflected = perturb(incident, low_nm, dividing_nm);
-        var refracted = perturb(incident, dividing_nm, high_nm);
+        reflected = perturb(incident, low_nm, dividing_nm);
+        refracted = perturb(incident, dividing_nm, high_nm);
         if high_is_reflected {
             let below = reflected;
             reflected = refracted;
             refracted = below;
         }
-        total_reflect(reflected, hit, at);
-        split_and_refract(refracted, refracted.spread, hit, at);
+        refracted_spread = refracted.spread;
+    }
+    if low_is_reflected || high_is_reflected {
+        send(reflected_ray(reflected, hit, at));
+    }
+    if !low_is_reflected || !high_is_reflected {
+        split_and_refract(refracted, refracted_spread, hit, at);
     }
 }
 
@@ -66,21 +70,20 @@ fn split_and_refract(ray: Ray, spread: vec3f, hit: Hit, at: Interface) {
     if meets_second_absorber(ray, hit) {
         count = max(count, u32(ceil((high_nm - low_nm) / frame.bin_width_nm)));
     }
-    if count == 1u {
-        refract_and_reflect(ray, hit, at, spread_between(low_end, last_end));
-        return;
-    }
     var edge_nm = low_nm;
     for (var i = 1u; i <= count; i++) {
-        let next_nm = low_nm + (high_nm - low_nm) * (f32(i) / f32(count));
+        var sub_ray = ray;
         var high_end = last_end;
-        if i < count {
-            high_end = refracted_at(ray, at, next_nm);
+        if count > 1u {
+            let next_nm = low_nm + (high_nm - low_nm) * (f32(i) / f32(count));
+            sub_ray = perturb(ray, edge_nm, next_nm);
+            edge_nm = next_nm;
         }
-        let sub_ray = perturb(ray, edge_nm, next_nm);
+        if i < count {
+            high_end = refracted_at(ray, at, edge_nm);
+        }
         refract_and_reflect(sub_ray, hit, at, spread_between(low_end, high_end));
         low_end = high_end;
-        edge_nm = next_nm;
     }
 }
 
@@ -97,14 +100,16 @@ fn refract_and_reflect(ray: Ray, hit: Hit, at: Interface, spread: vec3f) {
     let eta = relative_index(at, central_nm);
     let cos_i = -dot(ray.direction, at.normal);
     let cos_t_squared = cos_refracted_squared(cos_i, eta);
-    if cos_i <= 0.0 || cos_t_squared <= 0.0 {
-        total_reflect(ray, hit, at);
-        return;
+    var reflectance = 1.0;
+    if cos_i > 0.0 && cos_t_squared > 0.0 {
+        reflectance = fresnel(cos_i, sqrt(cos_t_squared), eta);
     }
-    let reflectance = fresnel(cos_i, sqrt(cos_t_squared), eta);
     var reflected = reflected_ray(ray, hit, at);
     reflected.significance *= reflectance;
     send(reflected);
+    if reflectance == 1.0 {
+        return;
+    }
     let medium = medium_beyond(ray, hit);
     var refracted = ray;
     refracted.direction = refract(ray.direction, at.normal, eta);
@@ -118,12 +123,7 @@ fn refract_and_reflect(ray: Ray, hit: Hit, at: Interface, spread: vec3f) {
     send(enter_absorber(refracted));
 }
 
-// Sends on the whole ray, mirrored.
-fn total_reflect(ray: Ray, hit: Hit, at: Interface) {
-    send(reflected_ray(ray, hit, at));
-}
-
-// The mirrored ray.
+// The whole ray, mirrored.
 fn reflected_ray(ray: Ray, hit: Hit, at: Interface) -> Ray {
     var reflected = ray;
     reflected.instance = hit.instance;

@@ -30,13 +30,13 @@ fn is_occluded(ray: Ray) -> bool {
     return meet_ground(ray).instance != NONE || meet_bodies(ray, FAR, true).instance != NONE;
 }
 
-// A ray that a mesh seems not to let out, tried again from slightly further inside.
-fn find_lost_exit(ray: Ray) -> Hit {
+// The ray inside a body, from slightly further inside and met by every facet.
+fn nudge_inwards(ray: Ray) -> Ray {
     let center = instances[ray.medium].center;
     var nudged = ray;
     nudged.origin += (center - ray.origin) * NUDGE;
     nudged.facet = NONE;
-    return meet_instance(nudged, ray.medium, FAR);
+    return nudged;
 }
 
 // The nearest body, or with `any` the first that is found.

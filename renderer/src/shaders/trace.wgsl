@@ -1,43 +1,44 @@
 // Following rays through the tree of a camera ray's descendants (the paper's `ray_solid`).
 
-// Follows what waits of a walk until nothing does, or `budget` rays were followed; gives what is
-// left of the budget.
-fn trace(budget: u32) -> u32 {
-    var left = budget;
-    while has_rays() && left > 0u {
-        follow();
-        left--;
-    }
-    return left;
-}
-
 // Takes the next ray that waits to the next surface, or to the lights.
 fn follow() {
     var ray = pop();
     walk.tally.segments += 1u;
-    var hit = find_intersection(ray);
-    if hit.instance == NONE && ray.medium != NONE {
-        hit = find_lost_exit(ray);
-        if hit.instance == NONE {
-            walk.tally.lost += retire(ray);
-            return;
+    var hit = MISS;
+    for (var attempt = 0u; attempt < 2u; attempt++) {
+        if attempt > 0u {
+            // A mesh seems not to let the ray out: once more, from slightly further inside.
+            ray = nudge_inwards(ray);
+        }
+        hit = find_intersection(ray);
+        if !is_lost(ray, hit) {
+            break;
         }
     }
-    if hit.instance == NONE {
-        ray_light(ray);
-        walk.tally.returned += retire(ray);
-        return;
-    }
-    ray.origin += ray.direction * hit.distance;
-    if runs_in_absorber(ray) {
-        ray.path_mm += hit.distance;
-    }
-    if meets_opaque(hit) {
+    if hit.instance != NONE {
+        ray.origin += ray.direction * hit.distance;
+        if runs_in_absorber(ray) {
+            ray.path_mm += hit.distance;
+        }
+        if !meets_opaque(hit) {
+            fork_rays(ray, hit);
+            return;
+        }
         shade_diffuse(ray, hit);
-        walk.tally.returned += retire(ray);
-    } else {
-        fork_rays(ray, hit);
+    } else if ray.medium == NONE {
+        ray_light(ray);
     }
+    let energy = retire(ray);
+    if is_lost(ray, hit) {
+        walk.tally.lost += energy;
+    } else {
+        walk.tally.returned += energy;
+    }
+}
+
+// Whether the ray is inside of a body that it does not meet from there.
+fn is_lost(ray: Ray, hit: Hit) -> bool {
+    return hit.instance == NONE && ray.medium != NONE;
 }
 
 // Whether the ray's medium is the material whose path it counts.

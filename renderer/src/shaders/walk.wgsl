@@ -47,13 +47,18 @@ fn pop() -> Ray {
 // Puts a ray on the stack, or into the books where it is too weak, too deep or too much.
 fn send(ray: Ray) {
     let significance = ray.significance * transmittance_bound(ray);
-    if significance < frame.rules.significance_threshold {
-        walk.tally.pruned += retire(ray);
-    } else if ray.depth > frame.rules.max_depth || walk.stack_count == STACK_LEN {
-        walk.tally.cut_off += retire(ray);
-    } else {
+    let is_weak = significance < frame.rules.significance_threshold;
+    let is_too_much = ray.depth > frame.rules.max_depth || walk.stack_count == STACK_LEN;
+    if !is_weak && !is_too_much {
         stack[walk.walker * STACK_LEN + walk.stack_count] = ray;
         walk.stack_count++;
+        return;
+    }
+    let energy = retire(ray);
+    if is_weak {
+        walk.tally.pruned += energy;
+    } else {
+        walk.tally.cut_off += energy;
     }
 }
 

@@ -50,7 +50,7 @@ fn guard<T>(work: impl FnOnce(&wgpu::Device) -> T) -> T {
     made
 }
 
-/// Probes, compiled.
+/// Probes, compiled; those that do the same are compiled once.
 pub(super) struct Shader {
     layouts: Vec<wgpu::BindGroupLayout>,
     pipelines: HashMap<&'static str, wgpu::ComputePipeline>,
@@ -77,9 +77,12 @@ impl Shader {
                     compilation_options: wgpu::PipelineCompilationOptions::default(),
                     cache: None,
                 };
-                (probe.name, device.create_compute_pipeline(&descriptor))
+                device.create_compute_pipeline(&descriptor)
             };
-            let pipelines = probes.iter().map(pipeline).collect();
+            let mut pipelines = HashMap::new();
+            for probe in probes {
+                pipelines.entry(probe.wgsl).or_insert_with(|| pipeline(probe));
+            }
             Self { layouts, pipelines }
         })
     }
@@ -200,7 +203,7 @@ pub(super) struct LoadedWorld<'a> {
 impl LoadedWorld<'_> {
     /// What the probe puts for each case: how many words, and then the words, of which there is
     /// room for `output_len`.
-    pub(super) fn run(&self, probe: &str, cases: &[Case], output_len: usize) -> Vec<Vec<u32>> {
+    pub(super) fn run(&self, probe: &Probe, cases: &[Case], output_len: usize) -> Vec<Vec<u32>> {
         let input_len = cases.iter().map(|case| case.words().len()).max().unwrap_or(0);
         let mut inputs = vec![0; cases.len() * input_len];
         for (words, case) in inputs.chunks_exact_mut(input_len).zip(cases) {
@@ -224,7 +227,7 @@ impl LoadedWorld<'_> {
             let mut encoder =
                 device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
-            pass.set_pipeline(&self.shader.pipelines[probe]);
+            pass.set_pipeline(&self.shader.pipelines[probe.wgsl]);
             for (number, group) in (0..).zip([&self.group, &walkers, &words]) {
                 pass.set_bind_group(number, group, &[]);
             }

@@ -58,7 +58,7 @@ impl Table {
                 }
                 let expected: Vec<_> = cases.iter().map(|case| probe.expect(world, case)).collect();
                 let output_len = expected.iter().map(Put::word_count).max().unwrap_or(0);
-                let found = loaded.run(probe.name, &cases, output_len);
+                let found = loaded.run(probe, &cases, output_len);
                 let fault = probe.compare(world, &cases, &expected, &found);
                 faults.extend(fault);
             }

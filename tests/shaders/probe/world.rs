@@ -161,6 +161,9 @@ impl World {
         let mut rays = Vec::with_capacity(count);
         // In some scenes most camera rays meet nothing.
         for _ in 0..20 * count {
+            if rays.len() == count {
+                break;
+            }
             let [x, y] = self.size.map(|size| dice.below(size as usize) as u32);
             self.begin_walk(pixel_seed(x, y), 0, |walk| {
                 walk.send(&camera_ray(&self.camera, self.size, x, y, dice.word()));
@@ -169,7 +172,7 @@ impl World {
                         follow(walk);
                     }
                 }
-                if walk.has_rays() && rays.len() < count {
+                if walk.has_rays() {
                     rays.push(walk.pop());
                 }
             });

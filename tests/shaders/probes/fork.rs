@@ -3,7 +3,6 @@
 use brilliance_renderer::kernel::fork::{
     absorber_of, enter_absorber, fork_rays, index_table_of, interface_at, medium_beyond,
     meets_second_absorber, reflected_ray, refract_and_reflect, refracted_at, split_and_refract,
-    total_reflect,
 };
 use brilliance_renderer::kernel::interface::{Interface, relative_index};
 use brilliance_renderer::kernel::intersect::find_intersection;
@@ -107,19 +106,6 @@ fn single_rays() -> Vec<Probe> {
             },
             cases: |world| arrivals_at_interfaces(world, Case::new()),
             tolerance: ROUNDING,
-        },
-        Probe {
-            name: "total_reflect",
-            wgsl: "begin_walk();
-    total_reflect(take_ray(), take_hit(), take_interface());
-    put_walk();",
-            rust: |world, take, put| {
-                world.walk(take, put, |walk, take, _| {
-                    total_reflect(walk, &take.ray(), &take.hit(), &take.interface());
-                });
-            },
-            cases: |world| arrivals_at_interfaces(world, walk_case()),
-            tolerance: Tolerance::relative(1e-5).or(2e-6),
         },
         Probe {
             name: "refracted_at",

@@ -1,13 +1,13 @@
 //! The nearest surface among all bodies and the ground.
 
 use brilliance_renderer::kernel::intersect::{
-    find_intersection, find_lost_exit, is_occluded, meet_bodies, meet_ground, meet_instance, sides,
+    find_intersection, is_occluded, meet_bodies, meet_ground, meet_instance, nudge_inwards, sides,
 };
 use brilliance_renderer::kernel::ray::{FAR, GROUND, Ray};
 use brilliance_renderer::packed::{MESH, NONE};
 use glam::Vec3;
 
-use crate::probe::{Case, Dice, EXACT, Probe, Table, Tolerance, World, throw};
+use crate::probe::{Case, Dice, EXACT, Probe, ROUNDING, Table, Tolerance, World, throw};
 
 #[test]
 fn intersect() {
@@ -64,11 +64,11 @@ fn whole_scene() -> Vec<Probe> {
 fn parts() -> Vec<Probe> {
     vec![
         Probe {
-            name: "find_lost_exit",
-            wgsl: "put_hit(find_lost_exit(take_ray()));",
-            rust: |world, take, put| put.hit(&find_lost_exit(&world.scene, &take.ray())),
+            name: "nudge_inwards",
+            wgsl: "put_ray(nudge_inwards(take_ray()));",
+            rust: |world, take, put| put.ray(&nudge_inwards(&world.scene, &take.ray())),
             cases: rays_in_bodies,
-            tolerance: HIT,
+            tolerance: ROUNDING,
         },
         Probe {
             name: "meet_instance",
@@ -119,7 +119,7 @@ fn limited_rays(world: &World) -> Vec<Case> {
     all_rays(world).into_iter().map(limit).collect()
 }
 
-/// Rays inside of bodies that they can't get out of but by another try.
+/// Rays inside of bodies.
 fn rays_in_bodies(world: &World) -> Vec<Case> {
     let is_inside = |ray: &Ray| ray.medium != NONE;
     let rays = world.rays(1200).into_iter().filter(is_inside);

@@ -1,8 +1,8 @@
 //! The walk itself, for one ray and for some.
 
 use brilliance_renderer::kernel::intersect::find_intersection;
-use brilliance_renderer::kernel::ray::Ray;
-use brilliance_renderer::kernel::trace::{follow, meets_opaque, runs_in_absorber};
+use brilliance_renderer::kernel::ray::{Hit, Ray};
+use brilliance_renderer::kernel::trace::{follow, is_lost, meets_opaque, runs_in_absorber};
 use brilliance_renderer::packed::NONE;
 
 use crate::probe::{Case, EXACT, Probe, Table, Tolerance, World};
@@ -16,27 +16,6 @@ pub(super) fn table() -> Table {
     Table {
         worlds: vec![World::full(), World::curt(), World::sliver(), World::empty()],
         probes: vec![
-            Probe {
-                name: "trace",
-                wgsl: "begin_walk();
-    send(take_ray());
-    put_u32(trace(3u));
-    put_walk();",
-                rust: |world, take, put| {
-                    world.walk(take, put, |walk, take, put| {
-                        walk.send(&take.ray());
-                        let mut left = 3;
-                        while walk.has_rays() && left > 0 {
-                            follow(walk);
-                            left -= 1;
-                        }
-                        put.u32(left);
-                    });
-                },
-                cases: rays,
-                // A tree of rays amplifies what each makes of roundings.
-                tolerance: Tolerance::relative(2e-3).or(2e-3).but(0.05),
-            },
             Probe {
                 name: "follow",
                 wgsl: "begin_walk();
@@ -56,6 +35,18 @@ pub(super) fn table() -> Table {
                 cases: rays,
                 // Critical angles, edges of lights, shadows and facets: where rounding decides.
                 tolerance: Tolerance::relative(1e-4).or(1e-4).but(0.03),
+            },
+            Probe {
+                name: "is_lost",
+                wgsl: "put_bool(is_lost(take_ray(), take_hit()));",
+                rust: |_, take, put| put.bool(is_lost(&take.ray(), &take.hit())),
+                cases: |world| {
+                    let rays = world.rays(600).into_iter();
+                    let hits = [Hit::MISS, Hit { instance: 0, ..Hit::MISS }];
+                    let case = |ray: Ray| hits.map(|hit| Case::new().ray(&ray).hit(&hit));
+                    rays.flat_map(case).collect()
+                },
+                tolerance: EXACT,
             },
             Probe {
                 name: "runs_in_absorber",
