@@ -9,26 +9,26 @@ use super::World;
 
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
-pub(super) struct Frame {
-    position: Vec3,
-    width: u32,
-    forward: Vec3,
-    height: u32,
-    right: Vec3,
-    first_row: u32,
-    up: Vec3,
-    pixel_count: u32,
-    rules: TraceRules,
-    sky: PackedSky,
-    ground: PackedGround,
-    first_pass: u32,
-    item_count: u32,
-    budget: u32,
-    bin_count: u32,
-    bin_width_nm: f32,
-    disc_count: u32,
-    top_node_count: u32,
-    walker_count: u32,
+pub(crate) struct Frame {
+    pub(crate) position: Vec3,
+    pub(crate) width: u32,
+    pub(crate) forward: Vec3,
+    pub(crate) height: u32,
+    pub(crate) right: Vec3,
+    pub(crate) first_row: u32,
+    pub(crate) up: Vec3,
+    pub(crate) pixel_count: u32,
+    pub(crate) rules: TraceRules,
+    pub(crate) sky: PackedSky,
+    pub(crate) ground: PackedGround,
+    pub(crate) first_pass: u32,
+    pub(crate) item_count: u32,
+    pub(crate) budget: u32,
+    pub(crate) bin_count: u32,
+    pub(crate) bin_width_nm: f32,
+    pub(crate) disc_count: u32,
+    pub(crate) top_node_count: u32,
+    pub(crate) walker_count: u32,
 }
 
 impl Frame {
