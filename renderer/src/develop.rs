@@ -3,6 +3,8 @@
 //! ```text
 //! Film → XyzImage → DisplayImage → sRGB codes
 //!                 ↘ linear Rec. 709 (OpenEXR)
+//!
+//! GpuFilm → GpuXyzImage → texture of sRGB codes, on a graphics device by the same rules
 //! ```
 //!
 //! Everything that depends on [`DisplaySettings`] happens after [`XyzImage`], so that a finished

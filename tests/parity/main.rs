@@ -1,6 +1,8 @@
 //! The GPU in step with the CPU, on any device there is, software included.
 
+mod cases;
 mod device;
+mod films;
 
 use brilliance_renderer::gpu::Graphics;
 

@@ -1,6 +1,8 @@
 //! Developing on a graphics device: the film is neither traced again nor read back.
 
 mod expose;
+#[cfg(test)]
+pub(super) mod layout;
 mod xyz_image;
 
 use wgpu::{BindingResource, BufferUsages, ComputePipeline, Device, TextureUsages};
@@ -21,7 +23,7 @@ const EXPOSE: [&str; 2] =
     [include_str!("../shaders/finite.wgsl"), include_str!("../shaders/xyz.wgsl")];
 
 /// From CIE XYZ to sRGB codes.
-const DEVELOP: [&str; 5] = [
+pub(super) const DEVELOP: [&str; 5] = [
     include_str!("../shaders/finite.wgsl"),
     include_str!("../shaders/tone_curve.wgsl"),
     include_str!("../shaders/gamut.wgsl"),
@@ -134,7 +136,7 @@ fn source(modules: &[&str]) -> String {
         "const WORKGROUP_SIDE = {WORKGROUP_SIDE}u;\n\
          const REINHARD = {reinhard}u;\n\
          const FILMIC = {filmic}u;\n\
-         const REINHARD_WHITE = f32({REINHARD_WHITE:?});\n"
+         const REINHARD_WHITE = {REINHARD_WHITE:?}f;\n"
     );
     constants + &modules.join("\n")
 }

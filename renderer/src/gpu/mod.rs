@@ -78,6 +78,30 @@ impl Graphics {
         &self.shared.queue
     }
 
+    /// Most bytes that a shader can be given in one buffer.
+    pub(crate) fn largest_binding(&self) -> u64 {
+        let limits = self.device().limits();
+        // Sizes are multiples of 4.
+        limits.max_storage_buffer_binding_size.min(limits.max_buffer_size) & !3
+    }
+
+    /// Submits what `encode` records; `what` as for [`guard`](Self::guard).
+    ///
+    /// # Errors
+    /// The device refuses or fails.
+    pub(crate) fn submit(
+        &self,
+        what: &str,
+        encode: impl FnOnce(&mut wgpu::CommandEncoder),
+    ) -> Result<(), RendererError> {
+        self.guard(what, |device| {
+            let mut encoder =
+                device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+            encode(&mut encoder);
+            self.queue().submit([encoder.finish()]);
+        })
+    }
+
     /// Why the device is gone, once that is known.
     pub fn loss(&self) -> Option<&str> {
         self.shared.loss.get().map(String::as_str)

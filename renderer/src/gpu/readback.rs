@@ -81,19 +81,30 @@ impl Graphics {
     /// # Errors
     /// The device fails.
     pub fn read_buffer(&self, buffer: &wgpu::Buffer) -> Result<Vec<u8>, RendererError> {
-        let mut bytes = Vec::with_capacity(buffer.size() as usize);
-        let mut chunk = Readback::new(self, buffer.size().min(CHUNK_BYTES))?;
-        let mut start = 0;
-        while start < buffer.size() {
-            let size = (buffer.size() - start).min(CHUNK_BYTES);
-            self.copy("read a buffer", |encoder| {
+        let mut bytes = vec![0; buffer.size() as usize];
+        self.fetch(buffer, &mut bytes)?;
+        Ok(bytes)
+    }
+
+    /// Fills `bytes`, a multiple of 4, from the beginning of a buffer with usage `COPY_SRC`.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub(crate) fn fetch(
+        &self,
+        buffer: &wgpu::Buffer,
+        bytes: &mut [u8],
+    ) -> Result<(), RendererError> {
+        let mut chunk = Readback::new(self, (bytes.len() as u64).min(CHUNK_BYTES))?;
+        for (number, part) in (0..).zip(bytes.chunks_mut(CHUNK_BYTES as usize)) {
+            let (start, size) = (number * CHUNK_BYTES, part.len() as u64);
+            self.submit("read a buffer", |encoder| {
                 encoder.copy_buffer_to_buffer(buffer, start, chunk.buffer(), 0, size);
             })?;
             chunk.request();
-            chunk.receive(self, |content| bytes.extend_from_slice(&content[..size as usize]))?;
-            start += size;
+            chunk.receive(self, |content| part.copy_from_slice(&content[..part.len()]))?;
         }
-        Ok(bytes)
+        Ok(())
     }
 
     /// The texels of a two-dimensional texture with usage `COPY_SRC`, row by row from the top,
@@ -123,7 +134,7 @@ impl Graphics {
                 rows_per_image: None,
             };
             let size = Extent3d { width, height: rows, depth_or_array_layers: 1 };
-            self.copy("read a texture", |encoder| {
+            self.submit("read a texture", |encoder| {
                 let target = TexelCopyBufferInfo { buffer: chunk.buffer(), layout };
                 encoder.copy_texture_to_buffer(source, target, size);
             })?;
@@ -136,18 +147,5 @@ impl Graphics {
             first += rows;
         }
         Ok(texels)
-    }
-
-    fn copy(
-        &self,
-        what: &str,
-        encode: impl FnOnce(&mut wgpu::CommandEncoder),
-    ) -> Result<(), RendererError> {
-        self.guard(what, |device| {
-            let mut encoder =
-                device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-            encode(&mut encoder);
-            self.queue().submit([encoder.finish()]);
-        })
     }
 }

@@ -14,7 +14,7 @@ const LOOK_INTERVAL: Duration = Duration::from_micros(200);
 /// drivers the same.
 const PATIENCE: Duration = Duration::from_secs(2);
 /// Software compiles a kernel when it first runs it, and shares the processor with everyone.
-const SOFTWARE_PATIENCE: Duration = Duration::from_mins(1);
+const SOFTWARE_PATIENCE: Duration = Duration::from_mins(5);
 
 impl Graphics {
     /// Waits for what a callback of the device will send.

@@ -1,17 +1,17 @@
 // What develops pixels: one function behind every picture that a graphics device shows.
 
-/// Display settings made ready for pixels, as the processor reads them too.
-///
-/// Each row makes one channel, exposed and adapted, from scene XYZ.
+// Display settings made ready for pixels, as the processor reads them too.
+//
+// Each row makes one channel, exposed and adapted, from scene XYZ.
 struct Development {
-    /// Linear Rec. 709 red.
+    // Linear Rec. 709 red.
     red_from_xyz: vec3f,
     tone_curve: u32,
-    /// Linear Rec. 709 green.
+    // Linear Rec. 709 green.
     green_from_xyz: vec3f,
-    /// 1 moves colours into the gamut, 0 clips them.
+    // 1 moves colours into the gamut, 0 clips them.
     gamut_mapping: u32,
-    /// Linear Rec. 709 blue.
+    // Linear Rec. 709 blue.
     blue_from_xyz: vec3f,
     padding_0: u32,
     luminance_from_xyz: vec3f,
@@ -22,7 +22,7 @@ struct Development {
 @group(0) @binding(1) var exposed: texture_2d<f32>;
 @group(0) @binding(2) var developed: texture_storage_2d<rgba8unorm, write>;
 
-/// sRGB codes of each pixel of `exposed`, with an opaque alpha.
+// sRGB codes of each pixel of `exposed`, with an opaque alpha.
 @compute @workgroup_size(WORKGROUP_SIDE, WORKGROUP_SIDE)
 fn rgba8(@builtin(global_invocation_id) at: vec3u) {
     if any(at.xy >= textureDimensions(exposed)) {
@@ -32,7 +32,7 @@ fn rgba8(@builtin(global_invocation_id) at: vec3u) {
     textureStore(developed, at.xy, vec4f(vec3f(encode(rgb)) / 255.0, 1.0));
 }
 
-/// Linear display RGB in 0..=1. What is not a finite colour of positive luminance is black.
+// Linear display RGB in 0..=1. What is not a finite colour of positive luminance is black.
 fn develop(xyz: vec3f) -> vec3f {
     let y = dot(development.luminance_from_xyz, xyz);
     let rgb = vec3f(
@@ -42,7 +42,7 @@ fn develop(xyz: vec3f) -> vec3f {
     );
     let is_color = y > 0.0 && is_finite(bitcast<u32>(rgb.r + rgb.g + rgb.b));
     if !is_color {
-        return vec3f();
+        return vec3f(0.0);
     }
     let gain = gain(development.tone_curve, y);
     let curved = rgb * gain;

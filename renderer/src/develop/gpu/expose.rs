@@ -96,3 +96,16 @@ fn weights(bins: Bins, passes: u32) -> Vec<[f32; 4]> {
     let weights = Observer::bin_weights(bins).into_iter();
     weights.map(|weight| (weight * scale).as_vec3().extend(0.0).to_array()).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::EXPOSE;
+    use super::super::layout::{layout, rust_layout};
+    use super::*;
+
+    #[test]
+    fn the_shader_reads_rows_as_they_are_written() {
+        let members = rust_layout!(Rows { width, first_row, row_count, bin_count });
+        assert_eq!(layout(&EXPOSE, "Rows"), members);
+    }
+}

@@ -5,6 +5,9 @@ use std::time::Duration;
 /// Time that a submission should take. Two are in flight, so that the device, which may draw a
 /// desktop too, is never away for longer than twice that.
 const TARGET: Duration = Duration::from_millis(4);
+/// The same where the device is the processor, which shares its time out by itself, and to which
+/// each submission costs more.
+const SOFTWARE_TARGET: Duration = Duration::from_millis(40);
 /// Rays per walker of the very first submission.
 const FIRST_BUDGET: u32 = 8;
 /// Fewest rays per walker: less would be spent on coming and going.
@@ -21,14 +24,16 @@ const MAX_GROWTH: f64 = 2.0;
 /// had.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pace {
+    target: Duration,
     budget: u32,
     loaded_budget: u32,
 }
 
 impl Pace {
     /// Begins carefully.
-    pub(super) fn new() -> Self {
-        Self { budget: FIRST_BUDGET, loaded_budget: FIRST_BUDGET }
+    pub(super) fn new(is_software: bool) -> Self {
+        let target = if is_software { SOFTWARE_TARGET } else { TARGET };
+        Self { target, budget: FIRST_BUDGET, loaded_budget: FIRST_BUDGET }
     }
 
     /// All walkers get work again.
@@ -37,14 +42,14 @@ impl Pace {
     }
 
     /// Rays that each walker may follow in the next submission.
-    pub(super) fn budget(&self) -> u32 {
+    pub(super) fn budget(self) -> u32 {
         self.budget
     }
 
     /// Learns that a submission of `budget` took `elapsed`; `is_loaded` where every walker had
     /// work all the while.
     pub(super) fn observe(&mut self, budget: u32, elapsed: Duration, is_loaded: bool) {
-        let ratio = TARGET.as_secs_f64() / elapsed.as_secs_f64().max(1e-9);
+        let ratio = self.target.as_secs_f64() / elapsed.as_secs_f64().max(1e-9);
         let fitting = (f64::from(budget) * ratio.min(MAX_GROWTH)) as u32;
         self.budget = fitting.clamp(MIN_BUDGET, MAX_BUDGET);
         // What is too much for some is too much for all.
@@ -73,7 +78,7 @@ mod tests {
     fn it_settles_at_the_target() {
         for per_ray_us in [10, 40, 300] {
             let per_ray = Duration::from_micros(per_ray_us);
-            let mut pace = Pace::new();
+            let mut pace = Pace::new(false);
             run(&mut pace, 30, per_ray, true);
             let time = per_ray * pace.budget();
             assert!(time <= TARGET && time * 10 >= TARGET * 8, "{per_ray_us}: {time:?}");
@@ -82,7 +87,7 @@ mod tests {
 
     #[test]
     fn it_grows_by_no_more_than_twofold_and_not_for_ever() {
-        let mut pace = Pace::new();
+        let mut pace = Pace::new(false);
         let budgets = run(&mut pace, 60, Duration::ZERO, true);
         assert!(budgets.windows(3).all(|w| w[2] <= 2 * w[0].max(w[1])), "{budgets:?}");
         assert_eq!(pace.budget(), MAX_BUDGET);
@@ -90,7 +95,7 @@ mod tests {
 
     #[test]
     fn it_reacts_at_once_to_a_slow_submission() {
-        let mut pace = Pace::new();
+        let mut pace = Pace::new(false);
         run(&mut pace, 30, Duration::from_micros(10), true);
         let before = pace.budget();
         pace.observe(before, TARGET * 10, true);
@@ -101,7 +106,7 @@ mod tests {
 
     #[test]
     fn what_the_last_walkers_reach_is_not_given_to_all() {
-        let mut pace = Pace::new();
+        let mut pace = Pace::new(false);
         run(&mut pace, 30, Duration::from_micros(100), true);
         let loaded = pace.budget();
         run(&mut pace, 30, Duration::from_micros(1), false);
@@ -112,7 +117,7 @@ mod tests {
 
     #[test]
     fn what_is_too_slow_for_some_is_not_given_to_all() {
-        let mut pace = Pace::new();
+        let mut pace = Pace::new(false);
         run(&mut pace, 30, Duration::from_micros(10), true);
         pace.observe(pace.budget(), TARGET * 4, false);
         let slowed = pace.budget();

@@ -16,11 +16,11 @@ pub(super) const ENERGY_UNIT: f32 = (1 << 30) as f32;
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub(super) struct Account {
     /// Items done.
-    items: u32,
+    pub(super) items: u32,
     /// Most segments of one item.
-    max_segments: u32,
+    pub(super) max_segments: u32,
     /// Two words each, the lower one first.
-    sums: [u32; 2 * SUM_COUNT],
+    pub(super) sums: [u32; 2 * SUM_COUNT],
 }
 
 /// The next item of the round to be taken, and the accounts of all rounds.
@@ -29,7 +29,7 @@ pub(super) struct Account {
 pub(super) struct Progress {
     /// At least the number of items of the round where all are taken.
     pub(super) next_item: u32,
-    accounts: [Account; ACCOUNT_COUNT],
+    pub(super) accounts: [Account; ACCOUNT_COUNT],
 }
 
 impl Progress {

@@ -1,0 +1,193 @@
+//! The compiled kernel, and what a device must have to run it.
+
+use wgpu::{
+    BindGroupLayout, BindGroupLayoutEntry, BindingType, BufferBindingType, ComputePipeline,
+    ShaderStages,
+};
+
+use super::progress::{ACCOUNT_COUNT, ENERGY_UNIT, SUM_COUNT};
+use crate::error::RendererError;
+use crate::gpu::Graphics;
+use crate::shaders::{KERNEL, join};
+
+/// Walkers of a workgroup.
+pub(super) const WORKGROUP_SIZE: u32 = 64;
+/// Arrays of a scene.
+pub(super) const SCENE_BUFFERS: u32 = 10;
+/// The frame, the stack and the radiance; the film, the walkers and the progress.
+const WORK_BUFFERS: u32 = 6;
+
+const WALKERS: &str = include_str!("../../shaders/walkers.wgsl");
+
+/// The kernel compiled for a device, with the layouts of its three groups of bindings. Cloning
+/// shares it.
+#[derive(Clone, Debug)]
+pub(super) struct WalkPipeline {
+    pub(super) scene_layout: BindGroupLayout,
+    pub(super) walk_layout: BindGroupLayout,
+    pub(super) film_layout: BindGroupLayout,
+    pub(super) pipeline: ComputePipeline,
+}
+
+impl WalkPipeline {
+    /// Compiles the kernel.
+    ///
+    /// # Errors
+    /// The device lacks something that the kernel needs, refuses it, or fails.
+    pub(super) fn new(graphics: &Graphics) -> Result<Self, RendererError> {
+        check(graphics)?;
+        graphics.guard("compile the tracer", |device| {
+            let scene_layout = layout(device, "scene", &[READ; SCENE_BUFFERS as usize]);
+            let walk_layout = layout(device, "walk", &[READ, WRITE, WRITE]);
+            let film_layout = layout(device, "film", &[WRITE, WRITE, WRITE]);
+            let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+                label: Some("walkers"),
+                source: wgpu::ShaderSource::Wgsl(source().into()),
+            });
+            let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+                label: Some("walkers"),
+                bind_group_layouts: &[Some(&scene_layout), Some(&walk_layout), Some(&film_layout)],
+                ..Default::default()
+            });
+            let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+                label: Some("walkers"),
+                layout: Some(&layout),
+                module: &module,
+                entry_point: Some("walk_items"),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                cache: None,
+            });
+            Self { scene_layout, walk_layout, film_layout, pipeline }
+        })
+    }
+}
+
+/// The kernel and the walkers that run it.
+fn source() -> String {
+    let constants = format!(
+        "const WORKGROUP_SIZE = {WORKGROUP_SIZE}u;\n\
+         const ACCOUNT_COUNT = {ACCOUNT_COUNT}u;\n\
+         const SUM_COUNT = {SUM_COUNT}u;\n\
+         const ENERGY_UNIT = {ENERGY_UNIT:?}f;\n"
+    );
+    [join(KERNEL), constants, WALKERS.to_owned()].join("\n")
+}
+
+/// What the device has of each thing that the kernel needs.
+fn check(graphics: &Graphics) -> Result<(), RendererError> {
+    let limits = graphics.device().limits();
+    let storage_buffers = SCENE_BUFFERS + WORK_BUFFERS;
+    for (what, has, needed) in [
+        ("storage buffers at once", limits.max_storage_buffers_per_shader_stage, storage_buffers),
+        ("groups of bindings", limits.max_bind_groups, 3),
+        (
+            "invocations in a workgroup",
+            limits.max_compute_invocations_per_workgroup,
+            WORKGROUP_SIZE,
+        ),
+        ("invocations in a row", limits.max_compute_workgroup_size_x, WORKGROUP_SIZE),
+    ] {
+        if has < needed {
+            return Err(RendererError::Graphics(format!(
+                "the graphics device {} can't trace: it takes {has} {what}, and {needed} are \
+                 needed; trace on the CPU",
+                graphics.name()
+            )));
+        }
+    }
+    Ok(())
+}
+
+const READ: BufferBindingType = BufferBindingType::Storage { read_only: true };
+const WRITE: BufferBindingType = BufferBindingType::Storage { read_only: false };
+
+fn layout(device: &wgpu::Device, label: &str, buffers: &[BufferBindingType]) -> BindGroupLayout {
+    let entries = (0..).zip(buffers).map(|(binding, &ty)| BindGroupLayoutEntry {
+        binding,
+        visibility: ShaderStages::COMPUTE,
+        ty: BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None },
+        count: None,
+    });
+    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+        label: Some(label),
+        entries: &entries.collect::<Vec<_>>(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::mem::offset_of;
+
+    use wgpu::naga::front::wgsl;
+    use wgpu::naga::valid::{Capabilities, ValidationFlags, Validator};
+    use wgpu::naga::{Module, TypeInner};
+
+    use super::super::frame::Frame;
+    use super::super::progress::{Account, Progress};
+    use super::super::walkers::WALKER_BYTES;
+    use super::*;
+
+    fn module() -> Module {
+        let source = source();
+        let module = wgsl::parse_str(&source);
+        let module = module.unwrap_or_else(|error| panic!("{}", error.emit_to_string(&source)));
+        let mut validator = Validator::new(ValidationFlags::all(), Capabilities::empty());
+        let validity = validator.validate(&module);
+        validity.unwrap_or_else(|error| panic!("{}", error.emit_to_string(&source)));
+        module
+    }
+
+    /// Size of a struct of the shader, and its members with their offsets.
+    fn layout_of(module: &Module, name: &str) -> (usize, Vec<(String, usize)>) {
+        let found = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some(name));
+        let TypeInner::Struct { members, span } = &found.expect(name).1.inner else {
+            panic!("{name} is no struct");
+        };
+        let member = |member: &wgpu::naga::StructMember| {
+            (member.name.clone().unwrap_or_default(), member.offset as usize)
+        };
+        (*span as usize, members.iter().map(member).collect())
+    }
+
+    macro_rules! assert_twins {
+        ($module:expr, $type:ident, [$($member:ident),* $(,)?]) => {
+            let members = vec![
+                $((stringify!($member).to_owned(), offset_of!($type, $member))),*
+            ];
+            assert_eq!(layout_of($module, stringify!($type)), (size_of::<$type>(), members));
+        };
+    }
+
+    #[test]
+    fn both_sides_lay_out_the_same_structs() {
+        let module = &module();
+        assert_twins!(
+            module,
+            Frame,
+            [
+                position,
+                width,
+                forward,
+                height,
+                right,
+                first_row,
+                up,
+                pixel_count,
+                rules,
+                sky,
+                ground,
+                first_pass,
+                item_count,
+                budget,
+                bin_count,
+                bin_width_nm,
+                disc_count,
+                top_node_count,
+                walker_count,
+            ]
+        );
+        assert_twins!(module, Account, [items, max_segments, sums]);
+        assert_twins!(module, Progress, [next_item, accounts]);
+        assert_eq!(layout_of(module, "Walker").0 as u64, WALKER_BYTES);
+    }
+}

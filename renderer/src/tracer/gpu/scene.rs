@@ -1,0 +1,96 @@
+//! A scene in the memory of a graphics device.
+
+use bytemuck::{NoUninit, Zeroable, bytes_of, cast_slice};
+use wgpu::{BindGroup, BufferUsages};
+
+use super::pipeline::WalkPipeline;
+use crate::error::RendererError;
+use crate::gpu::Graphics;
+use crate::packed::{PackedGround, PackedScene, PackedSky};
+use crate::spectrum::Bins;
+
+/// A scene in the memory of a graphics device.
+#[derive(Debug)]
+pub struct GpuScene {
+    pub(super) bins: Bins,
+    pub(super) group: BindGroup,
+    pub(super) sky: PackedSky,
+    pub(super) ground: PackedGround,
+    pub(super) disc_count: u32,
+    pub(super) top_node_count: u32,
+}
+
+impl GpuScene {
+    /// Uploads a scene.
+    ///
+    /// # Errors
+    /// An array is larger than the device takes, the device's memory is full, or it fails.
+    pub(super) fn new(
+        graphics: &Graphics,
+        pipeline: &WalkPipeline,
+        scene: &PackedScene,
+    ) -> Result<Self, RendererError> {
+        let buffers = [
+            upload(graphics, "bodies", &scene.instances)?,
+            upload(graphics, "hierarchy of bodies", &scene.top_nodes)?,
+            upload(graphics, "order of bodies", &scene.top_order)?,
+            upload(graphics, "facets", &scene.planes)?,
+            upload(graphics, "hierarchies of triangles", &scene.nodes)?,
+            upload(graphics, "triangles", &scene.triangles)?,
+            upload(graphics, "materials", &scene.materials)?,
+            upload(graphics, "indices of refraction", &scene.index_tables)?,
+            upload(graphics, "spectra", &scene.spectra)?,
+            upload(graphics, "lights", &scene.discs)?,
+        ];
+        let group = graphics.guard("hold the scene", |device| {
+            let entries = (0..).zip(&buffers).map(|(binding, buffer)| wgpu::BindGroupEntry {
+                binding,
+                resource: buffer.as_entire_binding(),
+            });
+            device.create_bind_group(&wgpu::BindGroupDescriptor {
+                label: Some("scene"),
+                layout: &pipeline.scene_layout,
+                entries: &entries.collect::<Vec<_>>(),
+            })
+        })?;
+        Ok(Self {
+            bins: scene.bins,
+            group,
+            sky: scene.sky,
+            ground: scene.ground,
+            disc_count: scene.discs.len() as u32,
+            top_node_count: scene.top_nodes.len() as u32,
+        })
+    }
+}
+
+/// A buffer with the elements of an array; one of zeros where there are none, since a binding
+/// can't be empty.
+fn upload<T: NoUninit + Zeroable>(
+    graphics: &Graphics,
+    what: &str,
+    elements: &[T],
+) -> Result<wgpu::Buffer, RendererError> {
+    let nothing = T::zeroed();
+    let bytes = if elements.is_empty() { bytes_of(&nothing) } else { cast_slice(elements) };
+    let (size, largest) = (bytes.len() as u64, graphics.largest_binding());
+    if size > largest {
+        return Err(RendererError::Graphics(format!(
+            "the graphics device {} can't hold the scene: its {what} take {} MB, and the device \
+             takes {} MB at a time; use a smaller mesh, or trace on the CPU",
+            graphics.name(),
+            size.div_ceil(1_000_000),
+            largest / 1_000_000
+        )));
+    }
+    graphics.guard("hold the scene", |device| {
+        let buffer = device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some(what),
+            size,
+            usage: BufferUsages::STORAGE | BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        graphics.queue().write_buffer(&buffer, 0, bytes);
+        buffer
+    })
+}

@@ -1,0 +1,132 @@
+//! The walkers' memory: the twin of the buffers in `shaders/walk.wgsl` and `shaders/walkers.wgsl`.
+
+use wgpu::{BindGroup, BufferUsages, DeviceType};
+
+use super::frame::Frame;
+use super::pipeline::{WORKGROUP_SIZE, WalkPipeline};
+use super::progress::Progress;
+use crate::error::RendererError;
+use crate::gpu::Graphics;
+use crate::kernel::ray::Ray;
+use crate::kernel::walk::STACK_LEN;
+use crate::settings::TraceSettings;
+
+/// Rays that wait for one walker.
+const STACK_BYTES: u64 = (STACK_LEN * size_of::<Ray>()) as u64;
+/// Radiance that one walker has found.
+const RADIANCE_BYTES: u64 = *TraceSettings::BINS.end() as u64 * size_of::<f32>() as u64;
+/// `Walker` of the shader: where its walk stands, its tally, its item.
+pub(super) const WALKER_BYTES: u64 = 48;
+
+/// A number of walkers, what they remember, and what they are told.
+#[derive(Debug)]
+pub(super) struct Walkers {
+    count: u32,
+    frame: wgpu::Buffer,
+    states: wgpu::Buffer,
+    progress: wgpu::Buffer,
+    walk_group: BindGroup,
+}
+
+impl Walkers {
+    /// As many walkers as suit the device, or as its memory has room for.
+    ///
+    /// # Errors
+    /// There is no room even for a few, or the device fails.
+    pub(super) fn new(graphics: &Graphics, pipeline: &WalkPipeline) -> Result<Self, RendererError> {
+        let fitting = graphics.largest_binding() / STACK_BYTES;
+        let mut groups = wanted_groups(graphics.device_type())
+            .min((fitting / u64::from(WORKGROUP_SIZE)) as u32)
+            .max(1);
+        loop {
+            let count = groups * WORKGROUP_SIZE;
+            match graphics.guard("hold the waiting rays", |d| Self::create(d, pipeline, count)) {
+                Err(_) if groups > 1 && graphics.loss().is_none() => groups /= 2,
+                made => return made,
+            }
+        }
+    }
+
+    fn create(device: &wgpu::Device, pipeline: &WalkPipeline, count: u32) -> Self {
+        let buffer = |label, size, usage| {
+            device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some(label),
+                size,
+                usage,
+                mapped_at_creation: false,
+            })
+        };
+        let (storage, copy_to) = (BufferUsages::STORAGE, BufferUsages::COPY_DST);
+        let each = u64::from(count);
+        let frame = size_of::<Frame>() as u64;
+        let frame = buffer("frame", frame, storage | copy_to);
+        let stack = buffer("stack", each * STACK_BYTES, storage);
+        let radiance = buffer("radiance", each * RADIANCE_BYTES, storage);
+        let states = buffer("walkers", each * WALKER_BYTES, storage | copy_to);
+        let progress = size_of::<Progress>() as u64;
+        let progress = buffer("progress", progress, storage | copy_to | BufferUsages::COPY_SRC);
+        let walk_group = group(device, &pipeline.walk_layout, &[&frame, &stack, &radiance]);
+        Self { count, frame, states, progress, walk_group }
+    }
+
+    /// Number of walkers.
+    pub(super) fn count(&self) -> u32 {
+        self.count
+    }
+
+    /// What the next dispatch is told.
+    pub(super) fn frame(&self) -> &wgpu::Buffer {
+        &self.frame
+    }
+
+    /// How far the work has come.
+    pub(super) fn progress(&self) -> &wgpu::Buffer {
+        &self.progress
+    }
+
+    /// The frame, the stacks and the radiance, for the kernel.
+    pub(super) fn walk_group(&self) -> &BindGroup {
+        &self.walk_group
+    }
+
+    /// A buffer of a film, and the walkers that write to it, for the kernel.
+    pub(super) fn film_group(
+        &self,
+        device: &wgpu::Device,
+        pipeline: &WalkPipeline,
+        film: &wgpu::Buffer,
+    ) -> BindGroup {
+        group(device, &pipeline.film_layout, &[film, &self.states, &self.progress])
+    }
+
+    /// Makes the walkers forget all that they were at, and the counts with it.
+    pub(super) fn clear(&self, encoder: &mut wgpu::CommandEncoder) {
+        encoder.clear_buffer(&self.states, 0, None);
+        encoder.clear_buffer(&self.progress, 0, None);
+    }
+}
+
+/// Workgroups that keep a device of some kind busy.
+fn wanted_groups(device_type: DeviceType) -> u32 {
+    match device_type {
+        DeviceType::DiscreteGpu => 768,
+        DeviceType::IntegratedGpu | DeviceType::VirtualGpu | DeviceType::Other => 256,
+        DeviceType::Cpu => 16,
+    }
+}
+
+fn group(
+    device: &wgpu::Device,
+    layout: &wgpu::BindGroupLayout,
+    buffers: &[&wgpu::Buffer],
+) -> BindGroup {
+    let entries = (0..).zip(buffers).map(|(binding, buffer)| wgpu::BindGroupEntry {
+        binding,
+        resource: buffer.as_entire_binding(),
+    });
+    device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("walkers"),
+        layout,
+        entries: &entries.collect::<Vec<_>>(),
+    })
+}
