@@ -65,12 +65,18 @@ impl Dice {
     pub(crate) fn interval_nm(&mut self) -> [f32; 2] {
         let (a, b) = (self.wavelength_nm(), self.wavelength_nm());
         match self.below(8) {
-            0 => [a, a],
+            0 => [self.pick(&[a, a, 380.0, 730.0]); 2],
             1 => [380.0, 730.0],
             2 => [380.0, b],
             3 => [a, 730.0],
             _ => [a.min(b), a.max(b)],
         }
+    }
+
+    /// A spread of a length between `least` and `most`, not quite at a right angle to `direction`.
+    pub(crate) fn spread(&mut self, direction: Vec3, least: f32, most: f32) -> Vec3 {
+        let sideways = self.direction_at(direction, 0.1);
+        sideways * self.magnitude(least, most)
     }
 
     /// A ray in air from near the origin, of any interval, one in eight without spread.
@@ -79,7 +85,7 @@ impl Dice {
         let direction = self.direction();
         let spread = match self.below(8) {
             0 => Vec3::ZERO,
-            _ => direction.cross(self.direction()) * self.magnitude(1e-6, 0.3),
+            _ => self.spread(direction, 1e-6, 0.3),
         };
         Ray {
             lambda_low_nm,

@@ -13,9 +13,9 @@ use brilliance_renderer::kernel::walk::{RayStack, TraceRules, Walk};
 use brilliance_renderer::light::{DiscLight, Lights, SkyLight};
 use brilliance_renderer::material::{Dielectric, Diffuse, Dispersion, Material};
 use brilliance_renderer::mesh::Mesh;
-use brilliance_renderer::packed::{INDEX_TABLE_LEN, NONE, PackedScene};
+use brilliance_renderer::packed::{INDEX_TABLE_LEN, NONE, PackedScene, PackedSky};
 use brilliance_renderer::scene::{Ground, MeshSource, Object, Scene, Shape, Transform};
-use brilliance_renderer::solid::HalfSpace;
+use brilliance_renderer::solid::{HalfSpace, Solid};
 use brilliance_renderer::spectrum::{Bins, Illuminant, Spectrum};
 use glam::{DVec3, Quat, Vec3};
 
@@ -33,8 +33,10 @@ pub(crate) struct World {
 }
 
 impl World {
-    /// One of everything: a brilliant; a red block with a green one inside and a blue one beside
-    /// it, face to face; a blue octahedron as a mesh; a matte pyramid; on a checkered ground.
+    /// One of everything: a coloured block with another inside and a third beside it, face to
+    /// face; a brilliant; a matte brilliant and a coloured octahedron as meshes; a checkered ground
+    /// and all lights. The first material and the last absorb, so that to mistake nothing for
+    /// either is noticed.
     pub(crate) fn full() -> Self {
         let lights = Lights {
             discs: vec![
@@ -54,14 +56,14 @@ impl World {
             reflectance: [Spectrum::Flat(0.7), Spectrum::Rgb([0.2, 0.5, 0.3])],
         };
         let objects = vec![
-            object(Shape::RoundBrilliant(RoundBrilliant::default()), DIAMOND, None).turned(),
             object(block(DVec3::splat(1.5)), FLINT, Some(absorption(0.9))).at(6.0, 0.0, -1.0),
+            object(Shape::RoundBrilliant(RoundBrilliant::default()), DIAMOND, None).turned(),
+            Object { material: matte(), ..meshed(brilliant_mesh()) }.at(0.0, 8.0, 0.0).turned(),
             object(block(DVec3::splat(0.6)), DIAMOND, Some(absorption(0.1))).at(6.0, 0.2, -1.0),
             object(block(DVec3::splat(1.5)), DIAMOND, Some(absorption(0.5))).at(6.0, 3.0, -1.0),
             Object { material: dielectric(FLINT, Some(falling())), ..octahedron() }
                 .at(-6.0, 1.0, 0.0)
                 .turned(),
-            Object { material: matte(), ..octahedron() }.at(0.0, 8.0, 0.0).turned(),
         ];
         Self::new(
             "the full scene",
@@ -77,17 +79,28 @@ impl World {
         Self { name: "the curt scene", rules, ..full }
     }
 
-    /// A single brilliant, whose interior is clear, before a backdrop and no other light.
+    /// The full scene under another sky.
+    pub(crate) fn under_sky(name: &'static str, change: fn(&mut PackedSky)) -> Self {
+        let mut world = Self { name, ..Self::full() };
+        change(&mut world.scene.sky);
+        world
+    }
+
+    /// A single brilliant, whose interior is clear, before a backdrop, which hides the environment
+    /// from the camera.
     pub(crate) fn single() -> Self {
-        let lights = Lights { backdrop: Some(SkyLight::daylight(0.7)), ..Lights::default() };
+        let lights = Lights {
+            environment: Some(SkyLight { radiance: 0.3, spectrum: falling() }),
+            backdrop: Some(SkyLight::daylight(0.7)),
+            ..Lights::default()
+        };
         let objects = vec![object(Shape::RoundBrilliant(RoundBrilliant::default()), DIAMOND, None)];
         Self::new("the single stone", Scene { objects, lights, ..Scene::default() })
     }
 
     /// A cube as a mesh of which one edge is split on one side, closed by a triangle without area.
     pub(crate) fn sliver() -> Self {
-        let source = MeshSource { path: "sliver".into(), index: 0, mesh: Arc::new(split_cube()) };
-        let object = object(Shape::Mesh(source), DIAMOND, None);
+        let object = meshed(Arc::new(split_cube()));
         let lights = Lights { hemisphere: Some(SkyLight::daylight(1.0)), ..Lights::default() };
         Self::new(
             "the cube with a sliver",
@@ -253,8 +266,18 @@ fn block(half_extents: DVec3) -> Shape {
 /// A real mesh, as users open them.
 fn octahedron() -> Object {
     let file = gltf::load_from_memory(Path::new("octahedron.glb"), OCTAHEDRON).expect("it loads");
-    let mesh = Arc::clone(&file.objects[0].mesh);
-    let source = MeshSource { path: "octahedron.glb".into(), index: 0, mesh };
+    meshed(Arc::clone(&file.objects[0].mesh))
+}
+
+/// A mesh of many facets, in boxes of one triangle and of several.
+fn brilliant_mesh() -> Arc<Mesh> {
+    let half_spaces = RoundBrilliant::default().half_spaces().expect("the default cut is a solid");
+    let solid = Solid::from_half_spaces(&half_spaces).expect("the default cut closes");
+    Arc::new(Mesh::from_solid(&solid).expect("a solid is a mesh"))
+}
+
+fn meshed(mesh: Arc<Mesh>) -> Object {
+    let source = MeshSource { path: "mesh".into(), index: 0, mesh };
     object(Shape::Mesh(source), DIAMOND, None)
 }
 

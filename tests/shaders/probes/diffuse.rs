@@ -23,7 +23,15 @@ const ON_CIRCLE: Tolerance = Tolerance::relative(0.0).or(1e-5);
 
 pub(super) fn table() -> Table {
     let probes = [surfaces(), directions()];
-    Table { worlds: vec![World::full()], probes: probes.into_iter().flatten().collect() }
+    Table {
+        worlds: vec![
+            World::full(),
+            World::under_sky("no hemisphere", |sky| sky.hemisphere = NONE),
+            World::under_sky("no environment", |sky| sky.environment = NONE),
+            World::under_sky("no sky", |sky| (sky.hemisphere, sky.environment) = (NONE, NONE)),
+        ],
+        probes: probes.into_iter().flatten().collect(),
+    }
 }
 
 fn surfaces() -> Vec<Probe> {
@@ -46,7 +54,7 @@ fn surfaces() -> Vec<Probe> {
                 matte_points(world).iter().map(case).collect()
             },
             // Where rounding decides about a shadow or an edge of the light.
-            tolerance: Tolerance::relative(1e-4).or(1e-5).but(0.01),
+            tolerance: Tolerance::relative(1e-4).or(1e-5).but(0.005),
         },
         Probe {
             name: "reflectance_at",

@@ -25,7 +25,7 @@ const CRITICAL: Tolerance = Tolerance::relative(1e-4).or(1e-3);
 /// Away from it all is a chain of roundings; the wavelength that divides a ray is found to
 /// hundredths of a nanometre, which is 1e-4 of it. A few rays come close to the critical angle or
 /// to where the number of sub-rays changes.
-const FORK: Tolerance = Tolerance::relative(1e-4).or(1e-5).but(0.03);
+const FORK: Tolerance = Tolerance::relative(1e-4).or(1e-5).but(0.01);
 
 pub(super) fn table() -> Table {
     let probes = [media(), single_rays(), whole_forks()];
@@ -183,7 +183,7 @@ fn whole_forks() -> Vec<Probe> {
             },
             cases: divided_arrivals,
             // The wavelength is found to hundredths of a nanometre.
-            tolerance: Tolerance::relative(1e-3).or(2e-3).but(0.05),
+            tolerance: Tolerance::relative(1e-3).or(2e-3).but(0.02),
         },
     ]
 }
@@ -198,7 +198,7 @@ fn bodies(world: &World) -> Vec<Case> {
 }
 
 /// Rays that have been moved to an interface, as they come about: into and out of stones, from one
-/// into another, coloured ones among them; a third with a path behind them in some absorber.
+/// into another, coloured ones among them; half with any interval and a path behind them in an absorber.
 fn arriving_rays(world: &World) -> Vec<(Ray, Hit)> {
     let mut dice = Dice::new(43);
     let mut arrivals = Vec::new();
@@ -208,9 +208,10 @@ fn arriving_rays(world: &World) -> Vec<(Ray, Hit)> {
             continue;
         }
         ray.origin += ray.direction * hit.distance;
-        if dice.below(3) == 0 {
+        if dice.below(2) == 0 {
             ray.absorber = dice.pick(&world.absorbers());
             ray.path_mm = dice.magnitude(1e-3, 3.0);
+            [ray.lambda_low_nm, ray.lambda_high_nm] = dice.interval_nm();
         }
         arrivals.push((ray, hit));
     }

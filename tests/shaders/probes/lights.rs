@@ -1,5 +1,7 @@
 //! What a ray sees that meets nothing.
 
+use std::f32::consts::PI;
+
 use brilliance_renderer::kernel::lights::{
     Cone, cut_at, disc_cone, is_far_off, overlap_amount, overlap_hemisphere, ray_light,
 };
@@ -42,7 +44,7 @@ fn overlaps() -> Vec<Probe> {
                 })
             },
             // Where rounding decides.
-            tolerance: ROUNDING.but(0.002),
+            tolerance: ROUNDING.but(0.001),
         },
         Probe {
             name: "overlap_amount",
@@ -55,7 +57,7 @@ fn overlaps() -> Vec<Probe> {
                 })
             },
             // Where the fan is so narrow that rounding puts all of it on one side of the edge.
-            tolerance: OVERLAP.but(0.005),
+            tolerance: OVERLAP.but(0.002),
         },
         Probe {
             name: "cut_at",
@@ -95,7 +97,7 @@ fn sky() -> Probe {
             world.walk(take, put, |walk, take, _| ray_light(walk, &take.ray()));
         },
         cases: rays_to_lights,
-        tolerance: OVERLAP.but(0.005),
+        tolerance: OVERLAP.but(0.002),
     }
 }
 
@@ -108,12 +110,21 @@ fn fan_and_cone(dice: &mut Dice) -> (Ray, Cone) {
     let radius = dice.magnitude(0.1, 90.0);
     let radius = dice.pick(&[radius, radius, 90.0_f32]).to_radians();
     let cone = cone(dice.direction(), radius);
-    let (beside, any) = (dice.between(0.0, 2.0) * radius, dice.between(0.0, 3.14));
-    let angle = dice.pick(&[beside, beside, beside, any, 0.0]);
+    (fan_at_cone(dice, &cone), cone)
+}
+
+/// A fan anywhere about the cone; every other one across or along its edge.
+fn fan_at_cone(dice: &mut Dice, cone: &Cone) -> Ray {
     let ray = dice.ray();
+    let width = ray.spread.length();
+    let radius = cone.cos_radius.acos();
+    let at_edge = radius + width * dice.between(-1.2, 1.2);
+    let (beside, any) = (dice.between(0.0, 2.0) * radius, dice.between(0.0, 3.14));
+    let angle = dice.pick(&[at_edge, at_edge, beside, any]);
     let direction = dice.direction_at(cone.center, angle.cos());
-    let spread = direction.cross(dice.direction()) * ray.spread.length();
-    (Ray { direction, spread, ..ray }, cone)
+    let outwards = (direction - cone.center).normalize_or_zero() * width;
+    let spread = if width > 0.0 { dice.spread(direction, 0.5 * width, width) } else { Vec3::ZERO };
+    Ray { direction, spread: dice.pick(&[spread, outwards, -outwards]), ..ray }
 }
 
 /// Quotients on both sides of ±1, and of zeros of both signs.
@@ -152,23 +163,19 @@ fn fans_at_horizon() -> Vec<Case> {
 fn rays_to_lights(world: &World) -> Vec<Case> {
     let discs = &world.scene.discs;
     throw(800, |dice| {
-        let ray = dice.ray();
-        let around = |dice: &mut Dice, center: Vec3, radius: f32| {
-            let angle = dice.between(0.0, 2.0) * radius;
-            dice.direction_at(center, angle.cos())
-        };
-        let direction = match dice.below(3) {
+        let ray = match dice.below(4) {
             0 if !discs.is_empty() => {
                 let disc = discs[dice.below(discs.len())];
-                around(dice, disc.direction, disc.sin_squared_radius.sqrt().asin())
+                fan_at_cone(dice, &disc_cone(&disc))
             }
-            1 => around(dice, world.rules.observer, 0.15),
-            _ => ray.direction,
+            1 => fan_at_cone(dice, &cone(world.rules.observer, 0.15)),
+            // The sky ends at the horizon.
+            2 => fan_at_cone(dice, &cone(Vec3::Z, 0.5 * PI)),
+            _ => dice.ray(),
         };
-        let spread = direction.cross(dice.direction()) * ray.spread.length();
         let absorber = dice.pick(&[&world.absorbers()[..], &[NONE]].concat());
         let path_mm = dice.between(0.0, 5.0);
-        let ray = Ray { direction, spread, absorber, path_mm, depth: dice.pick(&[0, 1, 5]), ..ray };
+        let ray = Ray { absorber, path_mm, depth: dice.pick(&[0, 1, 5]), ..ray };
         Case::new().u32(0).u32(0).ray(&ray)
     })
 }

@@ -18,27 +18,19 @@ mod trace;
 mod vector;
 mod walk;
 
-use crate::probe::Table;
+use brilliance_renderer::shaders::KERNEL;
 
-/// All tables, by the module that they are about.
-pub(crate) fn tables() -> Vec<(&'static str, Table)> {
-    vec![
-        ("vector", vector::table()),
-        ("packed", packed::table()),
-        ("ray", ray::table()),
-        ("rng", rng::table()),
-        ("camera", camera::table()),
-        ("spread", spread::table()),
-        ("interface", interface::table()),
-        ("mesh", mesh::table()),
-        ("convex", convex::table()),
-        ("intersect", intersect::table()),
-        ("absorption", absorption::table()),
-        ("walk", walk::table()),
-        ("deposit", deposit::table()),
-        ("lights", lights::table()),
-        ("diffuse", diffuse::table()),
-        ("fork", fork::table()),
-        ("trace", trace::table()),
-    ]
+/// The probes themselves can fail.
+#[test]
+fn a_slip_in_a_shader_is_found() {
+    let table = spread::table();
+    assert_eq!(table.faults(KERNEL), [""; 0]);
+    for (from, to) in [("2.0 * atan", "2.01 * atan"), ("high - low", "low - high"), ("1u + u32", "u32")] {
+        let mut slipped = KERNEL.to_vec();
+        let module = slipped.iter_mut().find(|module| module.name == "spread").expect("a module");
+        let source = module.source.replacen(from, to, 1);
+        assert_ne!(source, module.source, "{from}");
+        module.source = Box::leak(source.into_boxed_str());
+        assert!(!table.faults(&slipped).is_empty(), "{from}");
+    }
 }

@@ -34,7 +34,7 @@ pub(super) fn table() -> Table {
                 },
                 cases: rays,
                 // Critical angles, edges of lights, shadows and facets: where rounding decides.
-                tolerance: Tolerance::relative(1e-4).or(1e-4).but(0.03),
+                tolerance: Tolerance::relative(1e-4).or(1e-4).but(0.01),
             },
             Probe {
                 name: "is_lost",
