@@ -51,6 +51,27 @@ fn assert_wrong_usage(output: &Output, words: &[&str]) {
     }
 }
 
+/// Renders a small picture of `stone.toml` by this backend, on a machine that seems to have no
+/// graphics device where `hides_devices`.
+fn render_by(backend: &str, folder: &Path, hides_devices: bool) -> Output {
+    let arguments = "render stone.toml --size 24x16 --passes 2 -o stone.png --stats stone.json";
+    let mut command = Command::new(env!("CARGO_BIN_EXE_brilliance"));
+    command.args(arguments.split_whitespace()).args(["--backend", backend]);
+    command.current_dir(folder).env_remove("RUST_LOG");
+    if hides_devices {
+        // An interface that this system does not have.
+        let absent = if cfg!(target_vendor = "apple") { "dx12" } else { "metal" };
+        command.env("WGPU_BACKEND", absent);
+    }
+    command.output().unwrap()
+}
+
+/// The statistics that [`render_by`] wrote.
+fn statistics(folder: &Path) -> Value {
+    let text = std::fs::read_to_string(folder.join("stone.json")).unwrap();
+    serde_json::from_str(&text).unwrap()
+}
+
 /// A folder with a scene file `stone.toml`.
 fn folder_with_scene() -> TempDir {
     let folder = tempfile::tempdir().unwrap();
@@ -78,6 +99,7 @@ fn help_and_version_are_told() {
     let help = brilliance(folder.path(), &["render", "--help"]);
     assert_eq!(help.status.code(), Some(0));
     for option in [
+        "--backend",
         "--size",
         "--passes",
         "--time",
@@ -99,7 +121,7 @@ fn help_and_version_are_told() {
 #[test]
 fn wrong_usage_ends_with_2_and_says_what_is_wrong() {
     let folder = tempfile::tempdir().unwrap();
-    let cases: [(&[&str], &[&str]); 18] = [
+    let cases: [(&[&str], &[&str]); 21] = [
         (&["--no-such-option"], &["--no-such-option"]),
         (&["a.toml", "b.toml"], &["b.toml"]),
         (&["render"], &["<SCENE>", "--output"]),
@@ -113,6 +135,15 @@ fn wrong_usage_ends_with_2_and_says_what_is_wrong() {
         (&["render", "a.toml", "-o", "a.png", "--time", "nan"], &["--time", "seconds"]),
         (&["render", "a.toml", "-o", "a.png", "--bins", "3"], &["--bins", "4..=64"]),
         (&["render", "a.toml", "-o", "a.png", "--threads", "0"], &["--threads"]),
+        (
+            &["render", "a.toml", "-o", "a.png", "--backend", "tpu"],
+            &["--backend", "auto", "cpu", "gpu"],
+        ),
+        (
+            &["render", "a.toml", "-o", "a.png", "--threads", "2", "--backend", "gpu"],
+            &["--threads", "--backend cpu"],
+        ),
+        (&["--backend", "cpu", "render", "a.toml", "-o", "a.png"], &["--backend"]),
         (&["render", "a.toml", "-o", "a.png", "--set", "bins"], &["equals sign"]),
         (&["render", "a.toml", "-o", "a.png", "--spectral"], &["--spectral", ".exr"]),
         (&["render", "a.toml", "-o", "a.exr", "--bits", "16"], &["--bits", ".png"]),
@@ -200,7 +231,7 @@ fn a_render_writes_the_picture_and_its_statistics() {
     assert_eq!(stderr(&output), "", "silent where there is no terminal");
     let summary = stdout(&output);
     assert_eq!(summary.lines().count(), 1, "{summary}");
-    for word in ["stone.png", "24x16", "2 passes", "ray segments", "returned"] {
+    for word in ["stone.png", "24x16", "2 passes", "CPU, 1 thread", "ray segments", "returned"] {
         assert!(summary.contains(word), "no {word:?} in {summary}");
     }
     let expected = ["stone.json", "stone.png", "stone.toml"].map(Path::new);
@@ -210,8 +241,7 @@ fn a_render_writes_the_picture_and_its_statistics() {
     assert_eq!((picture.width(), picture.height()), (24, 16));
     assert_eq!(picture.color().bits_per_pixel() / u16::from(picture.color().channel_count()), 8);
 
-    let text = std::fs::read_to_string(folder.path().join("stone.json")).unwrap();
-    let stats: Value = serde_json::from_str(&text).unwrap();
+    let stats = statistics(folder.path());
     assert_eq!(stats["version"], env!("CARGO_PKG_VERSION"));
     assert_eq!(stats["backend"], "cpu");
     assert_eq!(stats["scene"], "stone.toml");
@@ -219,6 +249,7 @@ fn a_render_writes_the_picture_and_its_statistics() {
     assert_eq!(stats["size"], serde_json::json!([24, 16]));
     assert_eq!(stats["passes"], 2);
     assert_eq!(stats["threads"], 1);
+    assert_eq!(stats["device"], Value::Null);
     assert_eq!(stats["bins"], 8);
     assert_eq!(stats["camera_rays"], 24 * 16 * 2);
     assert!(stats["segments"].as_u64().unwrap() >= 24 * 16 * 2);
@@ -232,6 +263,22 @@ fn a_render_writes_the_picture_and_its_statistics() {
         .sum();
     assert!(entered > 0.0);
     assert!((accounted - entered).abs() <= 1e-5 * entered, "{accounted} of {entered}");
+}
+
+#[test]
+fn without_a_graphics_device_the_processor_traces_unless_one_was_asked_for() {
+    let folder = folder_with_scene();
+    for backend in ["auto", "cpu"] {
+        let output = render_by(backend, folder.path(), true);
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        assert_eq!(stderr(&output), "", "there is nothing wrong with {backend}");
+        assert_eq!(statistics(folder.path())["backend"], "cpu");
+        assert!(stdout(&output).contains("CPU, "), "{}", stdout(&output));
+    }
+    std::fs::remove_file(folder.path().join("stone.png")).unwrap();
+    let output = render_by("gpu", folder.path(), true);
+    assert_failed(&output, &["no graphics device", "driver", "CPU"]);
+    assert!(!folder.path().join("stone.png").exists());
 }
 
 #[test]
@@ -284,7 +331,7 @@ fn an_interrupt_leaves_no_picture() {
     use std::time::{Duration, Instant};
 
     let folder = folder_with_scene();
-    let arguments = "render stone.toml --size 640x400 --passes 1000000 -o a.png";
+    let arguments = "render stone.toml --backend cpu --size 640x400 --passes 1000000 -o a.png";
     let mut child = Command::new(env!("CARGO_BIN_EXE_brilliance"))
         .args(arguments.split_whitespace())
         .current_dir(folder.path())

@@ -2,6 +2,7 @@
 
 mod commands;
 mod files;
+mod graphics;
 mod overlays;
 
 use std::sync::Arc;
@@ -10,7 +11,7 @@ use std::time::Instant;
 use brilliance_renderer::camera::Camera;
 use brilliance_renderer::scene::Scene;
 use brilliance_renderer::scene_file::Document;
-use brilliance_renderer::session::{RenderRequest, Session};
+use brilliance_renderer::session::{GraphicsState, RenderRequest, Session};
 use eframe::egui::{self, CentralPanel, Color32, Ui, ViewportCommand};
 
 use crate::bounds::Bounds;
@@ -70,25 +71,26 @@ pub struct App {
     export: ExportWindow,
     help: Option<Help>,
     title: String,
+    /// How the session and its graphics device got on when that was last looked at.
+    graphics_state: GraphicsState,
     first_picture: FirstPicture,
 }
 
 impl App {
-    /// Shows what is opened by `live`, which may be tracing it already.
-    pub fn new(ctx: &egui::Context, opening: Opening, live: Live, services: Services) -> Self {
-        theme::apply(ctx);
-        live.wake(ctx);
+    /// What is opened, shown by `live`, which may be tracing it already. It has no window yet.
+    pub fn new(opening: Opening, live: Live, services: Services) -> Self {
         let mut notices = Notices::default();
         let mut files = Files::default();
         let editor = match opening {
             Opening::Read { document, file } => Editor::new(*document, file.as_deref()),
             Opening::Reading(reading) => {
-                files.await_reading(reading, ctx, &mut notices);
+                files.await_reading(reading, live.waker(), &mut notices);
                 Editor::new(Document::default(), None)
             }
         };
         let scene = Arc::new(editor.document.scene.clone());
         Self {
+            graphics_state: live.session().graphics_state(),
             bounds: Bounds::of(&scene),
             orbit: Orbit::from_camera(&scene.camera),
             scene,
@@ -106,6 +108,23 @@ impl App {
             help: None,
             title: String::new(),
         }
+    }
+
+    /// Moves into the window of `ctx`, from the window before it if there was one: with the panel
+    /// scrolled, the menus and the focus as they were.
+    pub fn enter(&mut self, ctx: &egui::Context) {
+        theme::apply(ctx);
+        if let Some(before) = self.live.waker().attach(ctx) {
+            let memory = before.memory(Clone::clone);
+            ctx.memory_mut(|now| *now = memory);
+        }
+        // The new window has not been told.
+        self.title.clear();
+    }
+
+    /// The context of the window that it is in, once there is one.
+    pub fn window(&self) -> Option<egui::Context> {
+        self.live.waker().window()
     }
 
     /// The document as it is now.
@@ -178,7 +197,8 @@ impl App {
     }
 
     fn menu_ui(&mut self, ui: &mut Ui) {
-        if let Some(command) = menu::show(ui, &self.editor, self.panel_shown) {
+        let tracers = self.tracers();
+        if let Some(command) = menu::show(ui, &self.editor, self.panel_shown, &tracers) {
             self.run(command, ui.ctx());
         }
     }
@@ -219,6 +239,7 @@ impl eframe::App for App {
     fn logic(&mut self, ctx: &egui::Context, _frame: &mut eframe::Frame) {
         self.poll_files(ctx);
         self.export.poll(&mut self.notices);
+        self.poll_graphics();
         self.guard_close(ctx);
     }
 
@@ -227,7 +248,7 @@ impl eframe::App for App {
         let ctx = ui.ctx().clone();
         let was_typing = command::is_typing(&ctx);
         self.menu_ui(ui);
-        status::show(ui, &self.session().progress(), self.session().threads());
+        status::show(ui, &self.session().progress(), &self.tracers());
         if self.panel_shown {
             self.panel_ui(ui);
         }

@@ -1,5 +1,6 @@
 //! What the user can tell the program to do, and the keys for it.
 
+use brilliance_renderer::tracer::Backend;
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers};
 
 use crate::orbit::StandardView;
@@ -33,6 +34,10 @@ pub enum Command {
     Turn([f32; 2]),
     /// Comes nearer by this factor.
     Zoom(f32),
+    /// Traces by another tracer.
+    TraceWith(Backend),
+    /// Gives a graphics device that has failed another chance.
+    RetryGraphics,
     /// Shows or hides the panel.
     TogglePanel,
     /// Lists the mouse buttons and keys.

@@ -26,5 +26,7 @@ pub mod row;
 pub mod status;
 pub mod task;
 pub mod theme;
+pub mod tracers;
 pub mod viewport;
+pub mod waker;
 pub mod window;

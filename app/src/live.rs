@@ -1,42 +1,59 @@
 //! The live picture: what is asked of the renderer's session, from before there is a window.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 use brilliance_renderer::camera::Camera;
 use brilliance_renderer::error::RendererError;
+use brilliance_renderer::gpu::Graphics;
 use brilliance_renderer::scene::Scene;
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::session::{RenderRequest, Session};
 use brilliance_renderer::tracer::Backend;
-use eframe::egui;
 
-/// A session, and the window that it wakes.
+use crate::waker::Waker;
+
+/// A session, the tracer that it should use, and the window that it wakes.
 pub struct Live {
     session: Session,
-    /// The window to wake for news, once there is one.
-    window: Arc<OnceLock<egui::Context>>,
+    backend: Backend,
+    waker: Waker,
 }
 
 impl Live {
-    /// A session that was asked for nothing yet.
+    /// A session that was asked for nothing yet and should trace by `backend`.
     ///
     /// # Errors
     /// The system gives the session no threads.
-    pub fn new() -> Result<Self, RendererError> {
-        let window = Arc::<OnceLock<egui::Context>>::default();
-        let waker = Arc::clone(&window);
-        let session = Session::new(move || {
-            if let Some(ctx) = waker.get() {
-                ctx.request_repaint();
-            }
-        })?;
-        Ok(Self { session, window })
+    pub fn new(backend: Backend) -> Result<Self, RendererError> {
+        let waker = Waker::default();
+        let bell = waker.clone();
+        let session = Session::new(move || bell.request_repaint())?;
+        Ok(Self { session, backend, waker })
     }
 
-    /// Repaints the window of `ctx` from now on when there is a new picture or new progress.
-    pub fn wake(&self, ctx: &egui::Context) {
-        // There is one window; a second call would change nothing.
-        let _ = self.window.set(ctx.clone());
+    /// What wakes the window when there is a new picture or new progress.
+    pub fn waker(&self) -> &Waker {
+        &self.waker
+    }
+
+    /// Which tracer is asked for.
+    pub fn backend(&self) -> Backend {
+        self.backend
+    }
+
+    /// Asks for another tracer from the next request on.
+    pub fn set_backend(&mut self, backend: Backend) {
+        self.backend = backend;
+    }
+
+    /// Lets the session trace on the window's graphics device.
+    pub fn offer_graphics(&mut self, graphics: Graphics) {
+        self.session.offer_graphics(graphics);
+    }
+
+    /// Gives a graphics device that has failed another chance.
+    pub fn retry_graphics(&mut self) {
+        self.session.retry_graphics();
     }
 
     /// Asks for `scene`, which is the document's, seen by `camera` at `size` in pixels. Returns
@@ -48,7 +65,7 @@ impl Live {
             size,
             trace: document.trace.clone(),
             pass_limit: document.still.passes,
-            backend: Backend::Auto,
+            backend: self.backend,
         });
         self.session.display(document.display.clone());
     }

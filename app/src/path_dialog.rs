@@ -8,6 +8,7 @@ use eframe::egui::{self, Key, RichText, TextEdit, Ui};
 
 use crate::task::{Task, TaskState};
 use crate::theme;
+use crate::waker::Waker;
 
 /// What a path is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -90,7 +91,7 @@ impl PathDialog {
     }
 
     /// Opens a question; [`show`](Self::show) gives the answer in a later frame.
-    pub fn open(&mut self, ctx: &egui::Context, question: Question) {
+    pub fn open(&mut self, waker: &Waker, question: Question) {
         if self.is_open() {
             return;
         }
@@ -101,7 +102,7 @@ impl PathDialog {
             let path = ask(&asked);
             Answered { path, after: since.elapsed() }
         };
-        match Task::spawn("file dialog", ctx, answer) {
+        match Task::spawn("file dialog", waker, answer) {
             Ok(task) => self.native = Some(Native { question, task }),
             Err(_) => self.typed = Some(Typed::new(&question)),
         }

@@ -83,7 +83,7 @@ impl PicturePainter {
         Self { pipeline, layout, format, shown: None }
     }
 
-    /// Brings `picture` to the graphics memory unless it is there.
+    /// Binds `picture` unless that is done; one that only the processor's memory holds is uploaded.
     fn show(
         &mut self,
         device: &wgpu::Device,
@@ -95,9 +95,25 @@ impl PicturePainter {
         if self.shown.as_ref().is_some_and(is_shown) {
             return;
         }
-        let Pixels::Rgba8(rgba8) = &picture.pixels else { return };
-        let [width, height] = picture.size;
-        let texture = device.create_texture_with_data(
+        let bindings = match &picture.pixels {
+            Pixels::Rgba8(rgba8) => {
+                let texture = self.upload(device, queue, picture.size, rgba8);
+                self.bind(device, &texture, smooth)
+            }
+            // Of this device: the session drops the pictures of a device that another replaces.
+            Pixels::Texture(texture) => self.bind(device, texture, smooth),
+        };
+        self.shown = Some(Shown { serial: picture.serial, smooth, bindings });
+    }
+
+    fn upload(
+        &self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        [width, height]: [u32; 2],
+        rgba8: &[u8],
+    ) -> wgpu::Texture {
+        device.create_texture_with_data(
             queue,
             &wgpu::TextureDescriptor {
                 label: Some("picture"),
@@ -111,7 +127,15 @@ impl PicturePainter {
             },
             wgpu::util::TextureDataOrder::LayerMajor,
             rgba8,
-        );
+        )
+    }
+
+    fn bind(
+        &self,
+        device: &wgpu::Device,
+        texture: &wgpu::Texture,
+        smooth: bool,
+    ) -> wgpu::BindGroup {
         let filter = if smooth { wgpu::FilterMode::Linear } else { wgpu::FilterMode::Nearest };
         let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
             label: Some("picture"),
@@ -119,8 +143,13 @@ impl PicturePainter {
             min_filter: filter,
             ..wgpu::SamplerDescriptor::default()
         });
-        let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
-        let bindings = device.create_bind_group(&wgpu::BindGroupDescriptor {
+        let view = texture.create_view(&wgpu::TextureViewDescriptor {
+            label: Some("picture"),
+            format: Some(self.format),
+            usage: Some(wgpu::TextureUsages::TEXTURE_BINDING),
+            ..wgpu::TextureViewDescriptor::default()
+        });
+        device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("picture"),
             layout: &self.layout,
             entries: &[
@@ -133,8 +162,7 @@ impl PicturePainter {
                     resource: wgpu::BindingResource::Sampler(&sampler),
                 },
             ],
-        });
-        self.shown = Some(Shown { serial: picture.serial, smooth, bindings });
+        })
     }
 
     fn paint(&self, pass: &mut wgpu::RenderPass<'static>) {

@@ -4,15 +4,16 @@ use brilliance_renderer::session::{Activity, Progress};
 use eframe::egui::{Align, Color32, Frame, Layout, Margin, Panel, RichText, Sense, Ui, vec2};
 
 use crate::theme;
+use crate::tracers::{self, Tracers};
 
-/// Shows the line at the bottom edge; the tracer has `threads` threads.
-pub fn show(ui: &mut Ui, progress: &Progress, threads: usize) {
+/// Shows the line at the bottom edge.
+pub fn show(ui: &mut Ui, progress: &Progress, tracers: &Tracers) {
     let frame = Frame::new().fill(theme::PANEL).inner_margin(Margin::symmetric(12, 4));
     Panel::bottom("status").frame(frame).show(ui, |ui| {
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 6.0;
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                item(ui, &cpu_backend(threads), "What traces the rays.");
+                tracers::status_ui(ui, tracers);
                 ui.add_space(12.0);
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                     ui.shrink_clip_rect(ui.max_rect());
@@ -47,12 +48,7 @@ fn progress_ui(ui: &mut Ui, progress: &Progress) {
     );
     if progress.tracing_seconds > 0.0 {
         let rate = statistics.segments as f64 / progress.tracing_seconds;
-        value(
-            ui,
-            &with_prefix(rate),
-            "rays/s",
-            "Ray segments traced per second, over all threads.",
-        );
+        value(ui, &with_prefix(rate), "rays/s", "Ray segments traced per second of tracing.");
     }
     ledger_ui(ui, progress);
     value(
@@ -143,12 +139,6 @@ pub(crate) fn duration(seconds: f64) -> String {
         60..3600 => format!("{} min {:02} s", whole / 60, whole % 60),
         _ => format!("{} h {:02} min", whole / 3600, whole / 60 % 60),
     }
-}
-
-/// The name of the tracer with its threads.
-fn cpu_backend(threads: usize) -> String {
-    let plural = if threads == 1 { "" } else { "s" };
-    format!("CPU, {threads} thread{plural}")
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
 
-use eframe::egui;
+use crate::waker::Waker;
 
 /// A job that runs on its own thread and gives one value.
 #[derive(Debug)]
@@ -22,17 +22,17 @@ pub enum TaskState<T> {
 }
 
 impl<T: Send + 'static> Task<T> {
-    /// Runs `job` on a thread called `name` and repaints the window when it has finished.
+    /// Runs `job` on a thread called `name` and wakes the window when it has finished.
     ///
     /// # Errors
     /// The system gives no thread.
     pub fn spawn(
         name: &str,
-        ctx: &egui::Context,
+        waker: &Waker,
         job: impl FnOnce() -> T + Send + 'static,
     ) -> std::io::Result<Self> {
         let (sender, receiver) = channel();
-        let reply = Reply { sender, _wake: WakeOnDrop(ctx.clone()) };
+        let reply = Reply { sender, _wake: WakeOnDrop(waker.clone()) };
         std::thread::Builder::new().name(name.to_owned()).spawn(move || reply.give(job))?;
         Ok(Self { receiver })
     }
@@ -60,8 +60,8 @@ impl<T> Reply<T> {
     }
 }
 
-/// Repaints even when the job panics, so that the window notices.
-struct WakeOnDrop(egui::Context);
+/// Wakes even when the job panics, so that the window notices.
+struct WakeOnDrop(Waker);
 
 impl Drop for WakeOnDrop {
     fn drop(&mut self) {
@@ -85,15 +85,14 @@ mod tests {
 
     #[test]
     fn a_task_gives_its_value() {
-        let task = Task::spawn("sum", &egui::Context::default(), || 2 + 2).unwrap();
+        let task = Task::spawn("sum", &Waker::default(), || 2 + 2).unwrap();
         assert!(matches!(wait(&task), TaskState::Finished(4)));
     }
 
     #[test]
     fn a_panic_is_noticed() {
         let task: Task<u32> =
-            Task::spawn("broken", &egui::Context::default(), || panic!("as the test wants"))
-                .unwrap();
+            Task::spawn("broken", &Waker::default(), || panic!("as the test wants")).unwrap();
         assert!(matches!(wait(&task), TaskState::Broken));
     }
 }

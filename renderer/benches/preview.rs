@@ -1,5 +1,6 @@
-//! Preview pictures per second while the camera orbits the default stone: each picture that arrives
-//! is answered by the next camera, as the window does while the mouse is dragged.
+//! Preview pictures per second while the camera orbits the default stone, on the processor and on the
+//! graphics device, if there is one: each picture that arrives is answered by the next camera, as the
+//! window does while the mouse is dragged.
 #![expect(clippy::print_stdout, reason = "a benchmark prints what it measured")]
 
 use std::sync::{Arc, mpsc};
@@ -7,26 +8,29 @@ use std::time::{Duration, Instant};
 
 use brilliance_renderer::camera::Camera;
 use brilliance_renderer::error::RendererError;
+use brilliance_renderer::gpu::Graphics;
 use brilliance_renderer::scene::Scene;
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::session::{Picture, RenderRequest, Session};
 use brilliance_renderer::settings::TraceSettings;
-use brilliance_renderer::tracer::Backend;
+use brilliance_renderer::tracer::{Backend, TracerName};
 use glam::Quat;
 
-const SIZE: [u32; 2] = [1280, 800];
+const SIZES: [[u32; 2]; 2] = [[1280, 800], [1920, 1080]];
 const WARM_UP: Duration = Duration::from_secs(1);
 const TIME: Duration = Duration::from_secs(5);
 const STEP_DEGREES: f32 = 1.0;
-/// A session that shows nothing for so long will never.
-const PATIENCE: Duration = Duration::from_secs(20);
+/// A session that shows nothing for so long will never; software compiles its shaders in a minute.
+const PATIENCE: Duration = Duration::from_mins(2);
 
 fn main() -> Result<(), RendererError> {
-    let mut orbit = Orbit::start()?;
-    orbit.run(WARM_UP);
-    match orbit.run(TIME) {
-        Some(frames) => frames.print(),
-        None => println!("preview: no picture came within {} s", PATIENCE.as_secs()),
+    let graphics = Graphics::open(true);
+    for size in SIZES {
+        Orbit::start(size, None)?.measure();
+        match &graphics {
+            Ok(graphics) => Orbit::start(size, Some(graphics))?.measure(),
+            Err(reason) => println!("preview, GPU: {reason}"),
+        }
     }
     Ok(())
 }
@@ -36,14 +40,17 @@ struct Orbit {
     session: Session,
     updates: mpsc::Receiver<()>,
     scene: Arc<Scene>,
+    size: [u32; 2],
     trace: TraceSettings,
     camera: Camera,
     pass_limit: u32,
+    backend: Backend,
     last_serial: Option<u64>,
 }
 
 impl Orbit {
-    fn start() -> Result<Self, RendererError> {
+    /// Pictures of `size`, by `graphics` or else by the processor.
+    fn start(size: [u32; 2], graphics: Option<&Graphics>) -> Result<Self, RendererError> {
         let document = Document::default();
         let (sender, updates) = mpsc::channel();
         let mut session = Session::new(move || {
@@ -51,15 +58,49 @@ impl Orbit {
             let _ = sender.send(());
         })?;
         session.display(document.display);
+        let backend = if graphics.is_some() { Backend::Gpu } else { Backend::Cpu };
+        if let Some(graphics) = graphics {
+            session.offer_graphics(graphics.clone());
+        }
         Ok(Self {
             session,
             updates,
+            size,
             camera: document.scene.camera,
             scene: Arc::new(document.scene),
             trace: document.trace,
             pass_limit: document.still.passes,
+            backend,
             last_serial: None,
         })
+    }
+
+    /// Orbits, and prints what was seen.
+    fn measure(mut self) {
+        self.turn();
+        let frames = self.wait_for_tracer().and_then(|()| {
+            self.run(WARM_UP)?;
+            self.run(TIME)
+        });
+        match (frames, self.session.progress().tracer) {
+            (Some(frames), Some(tracer)) => frames.print(self.size, &tracer),
+            _ => println!("preview: no picture came within {} s", PATIENCE.as_secs()),
+        }
+        if let Some(failure) = self.session.graphics_failure() {
+            println!("preview, GPU: {}", failure.reason);
+        }
+    }
+
+    /// Waits while the shaders are compiled; `None` if that takes too long.
+    fn wait_for_tracer(&self) -> Option<()> {
+        let is_device = |tracer| matches!(tracer, Some(TracerName::Gpu { .. }));
+        while self.backend == Backend::Gpu
+            && !is_device(self.session.progress().tracer)
+            && self.session.graphics_failure().is_none()
+        {
+            self.updates.recv_timeout(PATIENCE).ok()?;
+        }
+        Some(())
     }
 
     /// Orbits for this long; `None` if a picture fails to come.
@@ -85,10 +126,10 @@ impl Orbit {
         self.session.request(RenderRequest {
             scene: Arc::clone(&self.scene),
             camera: self.camera,
-            size: SIZE,
+            size: self.size,
             trace: self.trace.clone(),
             pass_limit: self.pass_limit,
-            backend: Backend::Cpu,
+            backend: self.backend,
         });
     }
 
@@ -115,7 +156,7 @@ struct Frames {
 }
 
 impl Frames {
-    fn print(mut self) {
+    fn print(mut self, size: [u32; 2], tracer: &TracerName) {
         let count = self.latencies.len();
         if count == 0 {
             return;
@@ -123,15 +164,15 @@ impl Frames {
         self.latencies.sort_unstable();
         let milliseconds =
             |part: usize| 1000.0 * self.latencies[(count - 1) * part / 100].as_secs_f64();
-        let share = self.pixels as f64 / count as f64 / f64::from(SIZE[0] * SIZE[1]);
+        let share = self.pixels as f64 / count as f64 / f64::from(size[0] * size[1]);
         println!(
-            "preview, orbiting at {}x{}: {:.1} frames/s, each of {:.0}x{:.0} traced pixels in the \
+            "preview, {tracer}, orbiting at {}x{}: {:.1} frames/s, each of {:.0}x{:.0} traced pixels in the \
              mean; from request to picture {:.1} ms (median), {:.1} ms (95th percentile)",
-            SIZE[0],
-            SIZE[1],
+            size[0],
+            size[1],
             count as f64 / self.time.as_secs_f64(),
-            f64::from(SIZE[0]) * share.sqrt(),
-            f64::from(SIZE[1]) * share.sqrt(),
+            f64::from(size[0]) * share.sqrt(),
+            f64::from(size[1]) * share.sqrt(),
             milliseconds(50),
             milliseconds(95),
         );

@@ -1,13 +1,15 @@
 //! What to trace next: a pure value machine without clocks or threads.
 
-/// One pass of tracing.
+/// A round of tracing: passes between which nothing is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Work {
     /// The picture's width and height are divided by this; 1 is full resolution.
     pub divisor: u32,
-    /// With how much care the pass is traced.
+    /// With how much care the passes are traced.
     pub effort: Effort,
-    /// Whether the pass begins an empty film.
+    /// Number of passes, at least 1.
+    pub passes: u32,
+    /// Whether the round begins an empty film.
     pub begins_film: bool,
 }
 
@@ -21,15 +23,15 @@ pub enum Effort {
     Full,
 }
 
-/// Chooses resolution and effort of each pass.
+/// Chooses resolution and effort of each pass, and how many make a round, for one tracer.
 ///
 /// After a restart the first pass is a draft as fine as fits the preview budget; as long as no
 /// other restart comes, each next draft halves the divisor, and after the one at full resolution
 /// passes of full effort accumulate. Where those fit the budget themselves there is no draft.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scheduler {
-    draft_seconds_per_pixel: f64,
-    full_seconds_per_pixel: f64,
+    draft: Cost,
+    full: Cost,
     pixels: u64,
     pass_limit: u32,
     stage: Stage,
@@ -41,23 +43,62 @@ enum Stage {
     Accumulate { passes: u32 },
 }
 
+/// What a pass costs, per pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Cost {
+    seconds: f64,
+    is_measured: bool,
+}
+
+impl Cost {
+    /// Weight of the newest measurement.
+    const SMOOTHING: f64 = 0.5;
+
+    const fn guess(seconds: f64) -> Self {
+        Self { seconds, is_measured: false }
+    }
+
+    /// Moves towards `seconds`. The first measurement counts alone: a guess that is a thousand
+    /// times too high for a graphics card would be long in fading.
+    fn measure(&mut self, seconds: f64) {
+        let weight = if self.is_measured { Self::SMOOTHING } else { 1.0 };
+        self.seconds += weight * (seconds - self.seconds);
+        self.is_measured = true;
+    }
+}
+
 impl Scheduler {
     /// Time that the first pass after a change may take, in seconds: 40 frames per second leave
     /// room for developing and for the window.
     pub const PREVIEW_SECONDS: f64 = 0.025;
+    /// Least time between two published states of an accumulating film, in seconds.
+    pub const PUBLISH_SECONDS: f64 = 0.033;
+    /// Time that a round of several passes is to take, in seconds: long enough that the few
+    /// pixels that every round waits for at its end weigh little.
+    pub const ROUND_SECONDS: f64 = 0.1;
     /// Coarsest draft: pixels of 32 × 32.
     pub const MAX_DIVISOR: u32 = 32;
-    /// Costs of a pixel before the first is measured, in seconds.
-    const UNMEASURED_DRAFT: f64 = 1e-6;
-    const UNMEASURED_FULL: f64 = 1e-5;
-    /// Weight of the newest measurement.
-    const SMOOTHING: f64 = 0.5;
+    /// Costs of a full pass per pixel before the first is measured, in seconds.
+    const PROCESSOR_GUESS: f64 = 1e-5;
+    const GRAPHICS_CARD_GUESS: f64 = 1e-8;
+    /// What a draft is guessed to cost of that.
+    const DRAFT_SHARE: f64 = 0.1;
 
-    /// Nothing to do yet.
-    pub fn new() -> Self {
+    /// Nothing to do yet, for a tracer on the processor.
+    pub fn for_processor() -> Self {
+        Self::guessing(Self::PROCESSOR_GUESS)
+    }
+
+    /// Nothing to do yet, for a graphics card. It takes over from the processor, whose picture
+    /// should stay until there is one of full resolution.
+    pub fn for_graphics_card() -> Self {
+        Self::guessing(Self::GRAPHICS_CARD_GUESS)
+    }
+
+    fn guessing(full_seconds_per_pixel: f64) -> Self {
         Self {
-            draft_seconds_per_pixel: Self::UNMEASURED_DRAFT,
-            full_seconds_per_pixel: Self::UNMEASURED_FULL,
+            draft: Cost::guess(Self::DRAFT_SHARE * full_seconds_per_pixel),
+            full: Cost::guess(full_seconds_per_pixel),
             pixels: 0,
             pass_limit: 0,
             stage: Stage::Accumulate { passes: 0 },
@@ -67,12 +108,12 @@ impl Scheduler {
     /// Starts a new picture of `size` that is done after `pass_limit` passes.
     pub fn restart(&mut self, size: [u32; 2], pass_limit: u32) {
         self.pixels = u64::from(size[0]) * u64::from(size[1]);
-        self.pass_limit = if self.pixels == 0 { 0 } else { pass_limit };
+        self.limit_passes(pass_limit);
         let pixels = self.pixels as f64;
-        self.stage = if self.full_seconds_per_pixel * pixels <= Self::PREVIEW_SECONDS {
+        self.stage = if self.full.seconds * pixels <= Self::PREVIEW_SECONDS {
             Stage::Accumulate { passes: 0 }
         } else {
-            let drafts = self.draft_seconds_per_pixel * pixels / Self::PREVIEW_SECONDS;
+            let drafts = self.draft.seconds * pixels / Self::PREVIEW_SECONDS;
             Stage::Draft { divisor: (drafts.sqrt().ceil() as u32).clamp(1, Self::MAX_DIVISOR) }
         };
     }
@@ -82,43 +123,51 @@ impl Scheduler {
         self.pass_limit = if self.pixels == 0 { 0 } else { pass_limit };
     }
 
-    /// The next pass; `None` when the picture is done.
+    /// The next round; `None` when the picture is done.
     pub fn next(&self) -> Option<Work> {
         match self.stage {
             _ if self.pass_limit == 0 => None,
             Stage::Draft { divisor } => {
-                Some(Work { divisor, effort: Effort::Draft, begins_film: true })
+                Some(Work { divisor, effort: Effort::Draft, passes: 1, begins_film: true })
             }
-            Stage::Accumulate { passes } if passes < self.pass_limit => {
-                Some(Work { divisor: 1, effort: Effort::Full, begins_film: passes == 0 })
-            }
+            Stage::Accumulate { passes } if passes < self.pass_limit => Some(Work {
+                divisor: 1,
+                effort: Effort::Full,
+                passes: round(self.full.seconds * self.pixels as f64, passes, self.pass_limit),
+                begins_film: passes == 0,
+            }),
             Stage::Accumulate { .. } => None,
         }
     }
 
-    /// Takes note that the pass of [`next`](Self::next) was completed in `seconds`.
-    pub fn complete(&mut self, seconds: f64) {
-        let (cost, divisor, next) = match self.stage {
-            Stage::Draft { divisor: 1 } => {
-                (&mut self.draft_seconds_per_pixel, 1, Stage::Accumulate { passes: 0 })
-            }
-            Stage::Draft { divisor } => {
-                (&mut self.draft_seconds_per_pixel, divisor, Stage::Draft { divisor: divisor / 2 })
-            }
-            Stage::Accumulate { passes } => {
-                (&mut self.full_seconds_per_pixel, 1, Stage::Accumulate { passes: passes + 1 })
-            }
+    /// Takes note that `work`, which [`next`](Self::next) gave, was completed in `seconds`.
+    pub fn complete(&mut self, work: Work, seconds: f64) {
+        let traced = self.pixels as f64 / f64::from(work.divisor).powi(2) * f64::from(work.passes);
+        let cost = match work.effort {
+            Effort::Draft => &mut self.draft,
+            Effort::Full => &mut self.full,
         };
-        let traced = (self.pixels as f64 / f64::from(divisor * divisor)).max(1.0);
-        *cost += Self::SMOOTHING * (seconds / traced - *cost);
-        self.stage = next;
+        cost.measure(seconds / traced.max(1.0));
+        self.stage = match self.stage {
+            Stage::Draft { divisor: 1 } => Stage::Accumulate { passes: 0 },
+            Stage::Draft { divisor } => Stage::Draft { divisor: divisor / 2 },
+            Stage::Accumulate { passes } => Stage::Accumulate { passes: passes + work.passes },
+        };
     }
 }
 
-impl Default for Scheduler {
-    fn default() -> Self {
-        Self::new()
+/// Number of passes to add in one round to a film of `done` passes that wants `limit`, where a pass
+/// takes `pass_seconds`; at least 1.
+///
+/// Passes that take longer than the publish interval come one by one. A round at most doubles the
+/// film, so that a new picture shows its first pass at once and gets better at every look.
+pub(crate) fn round(pass_seconds: f64, done: u32, limit: u32) -> u32 {
+    if pass_seconds > Scheduler::PUBLISH_SECONDS {
+        return 1;
     }
+    let most = done.min(limit.saturating_sub(done)).max(1);
+    // A cost of 0 gives an infinity, which the cast makes the largest number.
+    ((Scheduler::ROUND_SECONDS / pass_seconds) as u32).clamp(1, most)
 }
 
 #[cfg(test)]
@@ -132,16 +181,20 @@ mod tests {
     fn run(scheduler: &mut Scheduler, draft: f64, full: f64) -> Vec<Work> {
         let mut done = Vec::new();
         while let Some(work) = scheduler.next() {
-            let cost = if work.effort == Effort::Draft { draft } else { full };
             done.push(work);
-            scheduler.complete(cost * PIXELS / f64::from(work.divisor.pow(2)));
+            scheduler.complete(work, seconds(work, draft, full));
         }
         done
     }
 
+    fn seconds(work: Work, draft: f64, full: f64) -> f64 {
+        let cost = if work.effort == Effort::Draft { draft } else { full };
+        cost * PIXELS * f64::from(work.passes) / f64::from(work.divisor.pow(2))
+    }
+
     #[test]
     fn drafts_get_finer_until_full_effort_accumulates() {
-        let mut scheduler = Scheduler::new();
+        let mut scheduler = Scheduler::for_processor();
         scheduler.restart(SIZE, 3);
         let works = run(&mut scheduler, 1e-6, 1e-5);
         let (drafts, passes) = works.split_at(works.len() - 3);
@@ -155,7 +208,7 @@ mod tests {
 
     #[test]
     fn cheap_pictures_need_no_draft() {
-        let mut scheduler = Scheduler::new();
+        let mut scheduler = Scheduler::for_processor();
         scheduler.restart([40, 40], 2);
         assert_eq!(scheduler.next().map(|work| work.effort), Some(Effort::Full));
     }
@@ -163,20 +216,19 @@ mod tests {
     #[test]
     fn the_first_pass_after_a_change_keeps_to_the_preview_budget() {
         for draft in [1e-8, 1e-7, 1e-6, 4e-6] {
-            let mut scheduler = Scheduler::new();
+            let mut scheduler = Scheduler::for_processor();
             scheduler.restart(SIZE, 20);
             run(&mut scheduler, draft, 10.0 * draft);
             scheduler.restart(SIZE, 20);
             let work = scheduler.next().expect("there is work");
-            let cost = if work.effort == Effort::Draft { draft } else { 10.0 * draft };
-            let seconds = cost * PIXELS / f64::from(work.divisor.pow(2));
+            let seconds = seconds(work, draft, 10.0 * draft);
             assert!(seconds <= Scheduler::PREVIEW_SECONDS * 1.05, "{seconds}");
         }
     }
 
     #[test]
     fn a_higher_limit_carries_on() {
-        let mut scheduler = Scheduler::new();
+        let mut scheduler = Scheduler::for_processor();
         scheduler.restart(SIZE, 2);
         run(&mut scheduler, 1e-6, 1e-5);
         scheduler.limit_passes(4);
@@ -185,9 +237,63 @@ mod tests {
         assert!(more.iter().all(|work| !work.begins_film));
     }
 
+    /// A pass of a graphics card: 1280 × 800 in half a millisecond.
+    const FAST: f64 = 5e-4 / PIXELS;
+
+    #[test]
+    fn fast_passes_come_in_rounds_that_double_the_film_up_to_a_tenth_of_a_second() {
+        let mut scheduler = Scheduler::for_processor();
+        scheduler.restart(SIZE, 1000);
+        run(&mut scheduler, FAST, FAST);
+        scheduler.restart(SIZE, 1000);
+        let works = run(&mut scheduler, FAST, FAST);
+        let passes: Vec<_> = works.iter().map(|work| work.passes).collect();
+        assert_eq!(&passes[..9], [1, 1, 2, 4, 8, 16, 32, 64, 128]);
+        assert!(passes[9..passes.len() - 1].iter().all(|passes| (190..=200).contains(passes)));
+        assert_eq!(passes.iter().sum::<u32>(), 1000, "no more than was asked for");
+        assert!(works.iter().all(|work| work.effort == Effort::Full), "{works:?}");
+    }
+
+    #[test]
+    fn passes_longer_than_the_publish_interval_come_one_by_one() {
+        for full in [0.034 / PIXELS, 1.0 / PIXELS] {
+            let mut scheduler = Scheduler::for_processor();
+            scheduler.restart(SIZE, 12);
+            let works = run(&mut scheduler, full / 4.0, full);
+            assert!(works.iter().all(|work| work.passes == 1), "{works:?}");
+        }
+    }
+
+    #[test]
+    fn a_graphics_card_begins_at_full_resolution() {
+        for size in [SIZE, [3840, 2160]] {
+            let mut scheduler = Scheduler::for_graphics_card();
+            scheduler.restart(size, 1);
+            assert_eq!(scheduler.next().map(|work| work.divisor), Some(1));
+        }
+    }
+
+    #[test]
+    fn the_first_measurement_replaces_the_guess() {
+        let mut scheduler = Scheduler::for_processor();
+        scheduler.restart(SIZE, 1);
+        run(&mut scheduler, FAST, FAST);
+        scheduler.restart(SIZE, 1);
+        assert_eq!(scheduler.next().map(|work| work.effort), Some(Effort::Full));
+    }
+
+    #[test]
+    fn a_round_is_whole_whatever_a_pass_costs() {
+        for pass_seconds in [0.0, 1e-30, 0.033, f64::INFINITY] {
+            assert_eq!(round(pass_seconds, 0, 9), 1);
+            assert!((1..=4).contains(&round(pass_seconds, 5, 9)), "{pass_seconds}");
+            assert_eq!(round(pass_seconds, 9, 9), 1);
+        }
+    }
+
     #[test]
     fn an_empty_picture_or_no_passes_is_no_work() {
-        let mut scheduler = Scheduler::new();
+        let mut scheduler = Scheduler::for_processor();
         scheduler.restart([0, 800], 10);
         assert_eq!(scheduler.next(), None);
         scheduler.restart([100, 100], 0);

@@ -1,5 +1,7 @@
 //! Pictures to keep: traced to a pass or time limit, with progress and cancel.
 
+use std::cell::OnceCell;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -7,13 +9,15 @@ use std::time::{Duration, Instant};
 use crate::develop::XyzImage;
 use crate::error::RendererError;
 use crate::film::Film;
+use crate::gpu::Graphics;
 use crate::image_file;
 use crate::packed::PackedScene;
+use crate::scheduler;
 use crate::session::RenderRequest;
 use crate::settings::DisplaySettings;
 use crate::spectrum::Bins;
 use crate::statistics::Statistics;
-use crate::tracer::{CpuTracer, Tracer, View};
+use crate::tracer::{CpuTracer, DEVICE_PANICKED, Device, Tracer, TracerName, View};
 
 /// What a still says of its maker.
 const SOFTWARE: &str = concat!("Brilliance ", env!("CARGO_PKG_VERSION"));
@@ -23,7 +27,7 @@ const SOFTWARE: &str = concat!("Brilliance ", env!("CARGO_PKG_VERSION"));
 pub struct StillLimits {
     /// Stop after this much tracing, at the end of the pass in progress (at least one pass).
     pub time: Option<Duration>,
-    /// Threads to trace with; 0 is all of them.
+    /// Threads that the processor traces with; 0 is all of them.
     pub threads: usize,
 }
 
@@ -50,55 +54,32 @@ pub struct Still {
     pub passes: u32,
     /// Seconds of tracing alone.
     pub tracing_seconds: f64,
-    /// Threads that traced.
-    pub threads: usize,
+    /// What traced it.
+    pub tracer: TracerName,
+    /// Why the processor traced it though a graphics device was to.
+    pub warning: Option<String>,
     /// The film.
     pub film: Film,
 }
 
 impl Still {
-    /// Traces `request`. `progress` is told after each pass how many are done, of
-    /// `request.pass_limit`; set `cancel` to end with [`RendererError::Cancelled`] within a
-    /// pixel.
+    /// Traces `request` on `graphics` where its backend calls for that device, else on the
+    /// processor. Where the device fails or the scene is too much for it, the processor begins
+    /// anew, and the still has a warning.
+    ///
+    /// `progress` is told how many passes are done, of `request.pass_limit`: after each, or several
+    /// times per second. Set `cancel` to end with [`RendererError::Cancelled`] within a pixel.
     ///
     /// # Errors
     /// An impossible scene, an empty picture, or a cancelled job.
     pub fn render(
         request: &RenderRequest,
         limits: StillLimits,
+        graphics: Option<&Graphics>,
         cancel: &AtomicBool,
         mut progress: impl FnMut(u32, &Statistics),
     ) -> Result<Self, RendererError> {
-        let [width, height] = request.size;
-        if width == 0 || height == 0 || request.pass_limit == 0 {
-            return Err(RendererError::Invalid(format!(
-                "a still of {width}×{height} pixels and {} passes is empty; each must be 1 or more",
-                request.pass_limit
-            )));
-        }
-        let bins = Bins::new(request.trace.bins);
-        let scene = PackedScene::new(&request.scene, bins)?;
-        let tracer = CpuTracer::new(limits.threads)?;
-        let view = View::new(&request.camera, request.size);
-        let mut film = Film::new(width, height, bins);
-        let mut statistics = Statistics::default();
-        let started = Instant::now();
-        while film.passes() < request.pass_limit {
-            let is_cancelled = || cancel.load(Ordering::Relaxed);
-            statistics +=
-                tracer.trace(&scene, &view, &request.trace, &mut film, 1, &is_cancelled)?;
-            progress(film.passes(), &statistics);
-            if limits.time.is_some_and(|time| started.elapsed() >= time) {
-                break;
-            }
-        }
-        Ok(Self {
-            statistics,
-            passes: film.passes(),
-            tracing_seconds: started.elapsed().as_secs_f64(),
-            threads: tracer.threads(),
-            film,
-        })
+        render_on(request, limits, graphics, cancel, &mut progress)
     }
 
     /// Writes the picture to `path` by way of a temporary file, with the scene file `scene_toml`
@@ -130,6 +111,168 @@ impl Still {
                 let bins = means.as_ref().map(|means| (self.film.bins(), means.as_slice()));
                 image_file::write_exr(path, size, &image.linear_rgb(), bins, &metadata)
             }
+        }
+    }
+}
+
+fn render_on<D: Device>(
+    request: &RenderRequest,
+    limits: StillLimits,
+    device: Option<&D>,
+    cancel: &AtomicBool,
+    progress: &mut dyn FnMut(u32, &Statistics),
+) -> Result<Still, RendererError> {
+    let [width, height] = request.size;
+    if width == 0 || height == 0 || request.pass_limit == 0 {
+        return Err(RendererError::Invalid(format!(
+            "a still of {width}×{height} pixels and {} passes is empty; each must be 1 or more",
+            request.pass_limit
+        )));
+    }
+    let order = Order { request, time: limits.time, began: OnceCell::new(), cancel };
+    let device = device.filter(|device| request.backend.uses_device(device.is_software()));
+    let mut warning = None;
+    if let Some(device) = device {
+        let traced = catch_unwind(AssertUnwindSafe(|| order.trace(&device.prepare()?, progress)))
+            .unwrap_or_else(|_| Err(RendererError::Graphics(DEVICE_PANICKED.to_owned())));
+        match traced {
+            Err(RendererError::Graphics(reason)) => warning = Some(reason),
+            settled => return settled,
+        }
+    }
+    let still = order.trace(&CpuTracer::new(limits.threads)?, progress)?;
+    Ok(Still { warning, ..still })
+}
+
+/// A still to be traced, on one tracer or, where that fails, on another.
+struct Order<'a> {
+    request: &'a RenderRequest,
+    time: Option<Duration>,
+    /// When the first tracer began to trace.
+    began: OnceCell<Instant>,
+    cancel: &'a AtomicBool,
+}
+
+impl Order<'_> {
+    fn trace<T: Tracer>(
+        &self,
+        tracer: &T,
+        progress: &mut dyn FnMut(u32, &Statistics),
+    ) -> Result<Still, RendererError> {
+        let RenderRequest { size, trace, pass_limit, .. } = self.request;
+        let bins = Bins::new(trace.bins);
+        let scene = tracer.load(PackedScene::new(&self.request.scene, bins)?)?;
+        let view = View::new(&self.request.camera, *size);
+        let mut film = tracer.film(*size, bins, None)?;
+        let mut statistics = Statistics::default();
+        let mut passes = 0;
+        let mut pass_seconds = f64::INFINITY;
+        let started = Instant::now();
+        self.began.get_or_init(|| started);
+        while passes < *pass_limit && (passes == 0 || !self.is_over()) {
+            let round = self.round(pass_seconds, passes);
+            let is_cancelled = || self.cancel.load(Ordering::Relaxed);
+            let round_started = Instant::now();
+            statistics += tracer.trace(&scene, &view, trace, &mut film, round, &is_cancelled)?;
+            pass_seconds = round_started.elapsed().as_secs_f64() / f64::from(round);
+            passes += round;
+            progress(passes, &statistics);
+        }
+        let tracing_seconds = started.elapsed().as_secs_f64();
+        let film = tracer.read(film)?;
+        let tracer = tracer.name();
+        Ok(Still { statistics, passes, tracing_seconds, tracer, warning: None, film })
+    }
+
+    /// Number of passes to trace before the clock and the progress are looked at again.
+    fn round(&self, pass_seconds: f64, done: u32) -> u32 {
+        let round = scheduler::round(pass_seconds, done, self.request.pass_limit);
+        match self.time_left() {
+            Some(left) => ((left.as_secs_f64() / pass_seconds) as u32).clamp(1, round),
+            None => round,
+        }
+    }
+
+    fn is_over(&self) -> bool {
+        self.time_left().is_some_and(|left| left.is_zero())
+    }
+
+    fn time_left(&self) -> Option<Duration> {
+        let elapsed = self.began.get().map_or(Duration::ZERO, Instant::elapsed);
+        self.time.map(|time| time.saturating_sub(elapsed))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::scene_file::Document;
+    use crate::tracer::Backend;
+    use crate::tracer::fake::{Call, FakeDevice, REASON};
+
+    const PASSES: u32 = 5;
+
+    fn render(device: &FakeDevice, backend: Backend) -> Result<Still, RendererError> {
+        let document = Document::default();
+        let request = RenderRequest {
+            camera: document.scene.camera,
+            scene: Arc::new(document.scene),
+            size: [24, 16],
+            trace: document.trace,
+            pass_limit: PASSES,
+            backend,
+        };
+        let limits = StillLimits::default();
+        let mut told = 0;
+        let still = render_on(
+            &request,
+            limits,
+            Some(device),
+            &AtomicBool::new(false),
+            &mut |passes, _| told = passes,
+        )?;
+        assert_eq!((still.passes, still.film.passes(), told), (PASSES, PASSES, PASSES));
+        Ok(still)
+    }
+
+    fn is_on_device(still: &Still) -> bool {
+        matches!(still.tracer, TracerName::Gpu { .. })
+    }
+
+    #[test]
+    fn the_backend_and_the_device_say_what_traces() {
+        for (device, backend, expected) in [
+            (FakeDevice::hardware(), Backend::Auto, true),
+            (FakeDevice::hardware(), Backend::Cpu, false),
+            (FakeDevice::software(), Backend::Auto, false),
+            (FakeDevice::software(), Backend::Gpu, true),
+        ] {
+            let still = render(&device, backend).expect("renders");
+            assert_eq!((is_on_device(&still), still.warning), (expected, None));
+        }
+    }
+
+    #[test]
+    fn wherever_the_device_fails_the_processor_traces_all_passes() {
+        let whole = render(&FakeDevice::hardware(), Backend::Cpu).expect("renders");
+        let calls = [
+            (Call::Prepare, 0),
+            (Call::Load, 0),
+            (Call::Film, 0),
+            (Call::Trace, 1),
+            (Call::Read, 0),
+        ];
+        for (call, panics) in calls.into_iter().flat_map(|call| [(call, false), (call, true)]) {
+            let device = FakeDevice::failing_at(call.0, call.1);
+            device.plan().panics = panics;
+            let still = render(&device, Backend::Gpu).expect("the processor takes over");
+            assert!(!is_on_device(&still));
+            let warning = still.warning.expect("it is said");
+            assert_eq!(warning.contains(REASON), !panics, "{call:?}: {warning}");
+            assert!(still.film.sums() == whole.film.sums(), "{call:?}");
+            assert_eq!(still.statistics, whole.statistics, "{call:?}");
         }
     }
 }

@@ -112,7 +112,8 @@ pub(crate) fn request(
 
 pub(crate) fn render(request: &RenderRequest, threads: usize) -> Still {
     let limits = StillLimits { time: None, threads };
-    Still::render(request, limits, &AtomicBool::new(false), |_, _| {}).expect("the scene renders")
+    Still::render(request, limits, None, &AtomicBool::new(false), |_, _| {})
+        .expect("the scene renders")
 }
 
 /// The default camera with a field of view that `width_mm` fills at the stone.

@@ -10,6 +10,7 @@ use brilliance::notice::NoticeKind;
 use brilliance_renderer::error::RendererError;
 use brilliance_renderer::scene_file::{Document, StillSettings};
 use brilliance_renderer::still::StillFormat;
+use brilliance_renderer::tracer::TracerName;
 use eframe::App as _;
 use eframe::egui::{Key, Modifiers, ViewportEvent, ViewportId};
 use egui_kittest::kittest::Queryable as _;
@@ -23,7 +24,12 @@ fn export_renders_what_the_window_says() {
     let render = move |job: &StillJob, _: &AtomicBool, progress: &mut dyn FnMut(u32)| {
         progress(job.request.pass_limit);
         seen.lock().unwrap().push(job.clone());
-        Ok(StillReport { passes: job.request.pass_limit, tracing_seconds: 1.5 })
+        Ok(StillReport {
+            passes: job.request.pass_limit,
+            tracing_seconds: 1.5,
+            tracer: TracerName::Cpu { threads: 2 },
+            warning: Some("the device caught fire".to_owned()),
+        })
     };
     let services = Services { render_still: Arc::new(render), ..services() };
     let mut harness = harness_with(Document::default(), None, services);
@@ -41,7 +47,9 @@ fn export_renders_what_the_window_says() {
     assert_eq!(job.request.size, [3840, 2160]);
     assert_eq!(job.format, StillFormat::Png16);
     assert_eq!(job.request.camera, harness.state().camera());
-    assert!(notice.text.contains(&job.path.display().to_string()));
+    for said in [job.path.to_str().unwrap(), "CPU, 2 threads", "the device caught fire"] {
+        assert!(notice.text.contains(said), "no {said:?} in {}", notice.text);
+    }
     assert_ne!(request(&harness).size, job.request.size, "the viewport keeps its own size");
 }
 

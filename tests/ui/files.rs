@@ -46,8 +46,7 @@ fn a_file_that_cannot_be_opened_is_named_until_dismissed_and_the_scene_stays() {
     let path = PathBuf::from("/no/such/folder/heart.toml");
     harness.event(Event::PointerGone);
     harness.step();
-    let ctx = harness.ctx.clone();
-    harness.state_mut().open_file(path, &ctx);
+    harness.state_mut().open_file(path);
     wait(&mut harness, "the notice", |app| !app.notices().list().is_empty());
     let notice = harness.state().notices().list()[0].clone();
     assert_eq!(notice.kind, NoticeKind::Error);

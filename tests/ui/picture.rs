@@ -1,7 +1,5 @@
 //! The mouse and the keys move the camera, and the picture has the pixels of its room.
 
-use brilliance::app::App;
-use brilliance::live::Live;
 use brilliance::opening::Opening;
 use eframe::egui::{
     Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, TouchPhase,
@@ -86,9 +84,7 @@ fn the_picture_has_the_physical_pixels_of_the_viewport() {
     let mut harness = Harness::builder()
         .with_size(vec2(1200.0, 900.0))
         .with_pixels_per_point(1.5)
-        .build_eframe(move |creation| {
-            App::new(&creation.egui_ctx, Opening::default(), Live::new().unwrap(), services())
-        });
+        .build_eframe(move |creation| app(creation, Opening::default(), services()));
     harness.run_steps(4);
     let points = harness.get_by_label_contains("Picture of the stone").rect().size();
     let size = request(&harness).size;

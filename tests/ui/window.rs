@@ -11,6 +11,7 @@ use brilliance_renderer::error::RendererError;
 use brilliance_renderer::scene::Shape;
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::session::RenderRequest;
+use brilliance_renderer::tracer::Backend;
 use eframe::egui::{self, Event, Modifiers, PointerButton, Pos2, accesskit::Role, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{Queryable as _, by};
@@ -25,6 +26,18 @@ pub(crate) fn services() -> Services {
     }
 }
 
+/// The app in the window that is being created.
+pub(crate) fn app(
+    creation: &eframe::CreationContext<'_>,
+    opening: Opening,
+    services: Services,
+) -> App {
+    let live = Live::new(Backend::Auto).expect("threads");
+    let mut app = App::new(opening, live, services);
+    app.enter(&creation.egui_ctx);
+    app
+}
+
 pub(crate) fn harness_with(
     document: Document,
     file: Option<&Path>,
@@ -35,9 +48,7 @@ pub(crate) fn harness_with(
         .with_size(vec2(1400.0, 1300.0))
         .with_step_dt(1.0 / 60.0)
         .with_max_steps(30)
-        .build_eframe(move |creation| {
-            App::new(&creation.egui_ctx, opening, Live::new().expect("threads"), services)
-        });
+        .build_eframe(move |creation| app(creation, opening, services));
     harness.run_steps(4);
     harness
 }

@@ -11,10 +11,10 @@ impl App {
     /// Does what a menu or a key asked for.
     pub(super) fn run(&mut self, command: Command, ctx: &egui::Context) {
         match command {
-            Command::Open => self.ask_open(ctx),
-            Command::OpenScene(index) => self.open_scene(index, ctx),
-            Command::Save => self.save(ctx),
-            Command::SaveAs => self.ask_save(ctx),
+            Command::Open => self.ask_open(),
+            Command::OpenScene(index) => self.open_scene(index),
+            Command::Save => self.save(),
+            Command::SaveAs => self.ask_save(),
             Command::ExportStill => {
                 let suggestion = self.suggested_path("png");
                 self.export.open(self.editor.document.still, &suggestion);
@@ -27,6 +27,8 @@ impl App {
             Command::ResetCamera => self.orbit = Orbit::from_camera(&self.scene.camera),
             Command::Turn(delta) => self.orbit.rotate(delta, &self.bounds),
             Command::Zoom(factor) => self.orbit.zoom(factor, [0.0, 0.0], &self.bounds),
+            Command::TraceWith(backend) => self.live.set_backend(backend),
+            Command::RetryGraphics => self.live.retry_graphics(),
             Command::TogglePanel => self.panel_shown = !self.panel_shown,
             Command::ShowKeys => self.help = Some(Help::Keys),
             Command::Dismiss => {

@@ -14,6 +14,7 @@ use crate::path_dialog::{Purpose, Question};
 use crate::question::{Decision, Loss};
 use crate::task::{Task, TaskState};
 use crate::theme;
+use crate::waker::Waker;
 
 const NOT_OPENED: &str = "Not opened";
 const NOT_SAVED: &str = "Not saved";
@@ -79,17 +80,12 @@ impl Files {
     }
 
     /// Takes over a file that is being read since before there was a window.
-    pub(super) fn await_reading(
-        &mut self,
-        reading: Reading,
-        ctx: &egui::Context,
-        notices: &mut Notices,
-    ) {
+    pub(super) fn await_reading(&mut self, reading: Reading, waker: &Waker, notices: &mut Notices) {
         let path = reading.path().to_owned();
         let name = path.display().to_string();
         let finish =
             move || reading.finish().map(|document| Editor::new(document, Some(path.as_path())));
-        match Task::spawn("await opening", ctx, finish) {
+        match Task::spawn("await opening", waker, finish) {
             Ok(task) => self.opening = Some((name, task)),
             Err(fault) => notices.error(NOT_OPENED, no_thread(&name, &fault)),
         }
@@ -103,32 +99,33 @@ impl Files {
 
 impl App {
     /// Opens a scene or a mesh; asks about unsaved changes once it is read.
-    pub fn open_file(&mut self, path: PathBuf, ctx: &egui::Context) {
-        self.read(Source::File(path), ctx);
+    pub fn open_file(&mut self, path: PathBuf) {
+        self.read(Source::File(path));
     }
 
     /// Opens the shipped scene of this index.
-    pub(super) fn open_scene(&mut self, index: usize, ctx: &egui::Context) {
+    pub(super) fn open_scene(&mut self, index: usize) {
         if let Some(scene) = scenes().get(index) {
-            self.read(Source::Shipped(*scene), ctx);
+            self.read(Source::Shipped(*scene));
         }
     }
 
-    pub(super) fn ask_open(&mut self, ctx: &egui::Context) {
+    pub(super) fn ask_open(&mut self) {
         let suggestion = self.editor.folder().map_or_else(current_folder, Path::to_owned);
-        self.paths.open(ctx, Question { purpose: Purpose::Open, suggestion });
+        self.paths.open(self.live.waker(), Question { purpose: Purpose::Open, suggestion });
     }
 
-    pub(super) fn ask_save(&mut self, ctx: &egui::Context) {
+    pub(super) fn ask_save(&mut self) {
         let suggestion = self.suggested_path("toml");
-        self.paths.open(ctx, Question { purpose: Purpose::SaveScene, suggestion });
+        let question = Question { purpose: Purpose::SaveScene, suggestion };
+        self.paths.open(self.live.waker(), question);
     }
 
     /// Saves to the document's own file, or asks for one.
-    pub(super) fn save(&mut self, ctx: &egui::Context) {
+    pub(super) fn save(&mut self) {
         match self.editor.file().map(Path::to_owned) {
-            Some(path) => self.save_to(path, ctx),
-            None => self.ask_save(ctx),
+            Some(path) => self.save_to(path),
+            None => self.ask_save(),
         }
     }
 
@@ -138,11 +135,23 @@ impl App {
         folder.join(format!("{}.{extension}", self.editor.stem()))
     }
 
+    /// Writes what is not saved beside other temporary files, for when the program has to end
+    /// without asking. None if everything is saved.
+    ///
+    /// # Errors
+    /// The file can't be written.
+    pub fn rescue(&self) -> Option<Result<PathBuf, RendererError>> {
+        let file = format!("{} {}.toml", self.editor.stem(), std::process::id());
+        let path = std::env::temp_dir().join(file);
+        let edited = self.editor.edited();
+        edited.then(|| self.document_to_save().save(&path).map(|()| path))
+    }
+
     /// Takes the answer of a path dialog.
-    pub(super) fn take_path(&mut self, purpose: Purpose, path: PathBuf, ctx: &egui::Context) {
+    pub(super) fn take_path(&mut self, purpose: Purpose, path: PathBuf) {
         match purpose {
-            Purpose::Open => self.open_file(path, ctx),
-            Purpose::SaveScene => self.save_to(path, ctx),
+            Purpose::Open => self.open_file(path),
+            Purpose::SaveScene => self.save_to(path),
             Purpose::ExportStill => self.export.set_path(&path),
         }
     }
@@ -153,7 +162,7 @@ impl App {
         match decision {
             Decision::Save => {
                 self.files.after_saving = Some(intent);
-                self.save(ctx);
+                self.save();
             }
             Decision::Discard => self.carry_out(intent, ctx),
             Decision::Cancel => {}
@@ -165,7 +174,7 @@ impl App {
         let dropped =
             ctx.input(|input| input.raw.dropped_files.first().map(|file| file.path().to_owned()));
         if let Some(path) = dropped {
-            self.open_file(path, ctx);
+            self.open_file(path);
         }
         self.poll_opening(ctx);
         self.poll_saving(ctx);
@@ -211,18 +220,18 @@ impl App {
         }
     }
 
-    fn read(&mut self, source: Source, ctx: &egui::Context) {
+    fn read(&mut self, source: Source) {
         let name = source.name();
-        match Task::spawn("open", ctx, move || source.open()) {
+        match Task::spawn("open", self.live.waker(), move || source.open()) {
             Ok(task) => self.files.opening = Some((name, task)),
             Err(fault) => self.notices.error(NOT_OPENED, no_thread(&name, &fault)),
         }
     }
 
-    fn save_to(&mut self, path: PathBuf, ctx: &egui::Context) {
+    fn save_to(&mut self, path: PathBuf) {
         let document = self.document_to_save();
         let (copy, target) = (document.clone(), path.clone());
-        match Task::spawn("save", ctx, move || copy.save(&target)) {
+        match Task::spawn("save", self.live.waker(), move || copy.save(&target)) {
             Ok(task) => self.files.saving = Some(Saving { path, document, task }),
             Err(fault) => {
                 self.notices.error(NOT_SAVED, no_thread(&path.display().to_string(), &fault));

@@ -4,7 +4,6 @@ use std::path::Path;
 use std::sync::Arc;
 
 use brilliance_renderer::session::RenderRequest;
-use brilliance_renderer::tracer::Backend;
 use eframe::egui;
 
 use super::{App, files};
@@ -19,9 +18,10 @@ impl App {
         let action = self.export.show(ctx, self.viewport_size, self.editor.document.trace.bins);
         match action {
             Some(ExportAction::Browse(suggestion)) => {
-                self.paths.open(ctx, Question { purpose: Purpose::ExportStill, suggestion });
+                let question = Question { purpose: Purpose::ExportStill, suggestion };
+                self.paths.open(self.live.waker(), question);
             }
-            Some(ExportAction::Start(order)) => self.start_export(order, ctx),
+            Some(ExportAction::Start(order)) => self.start_export(order),
             None => {}
         }
         if let Some(page) = self.help
@@ -35,13 +35,13 @@ impl App {
             self.decide(decision, ctx);
         }
         if let Some((purpose, path)) = self.paths.show(ctx) {
-            self.take_path(purpose, path, ctx);
+            self.take_path(purpose, path);
         }
         self.notices.show(ctx);
         files::drop_target_ui(ctx, self.files.opening_name());
     }
 
-    fn start_export(&mut self, order: StillOrder, ctx: &egui::Context) {
+    fn start_export(&mut self, order: StillOrder) {
         let mut document = self.document_to_save();
         document.still = order.still;
         let folder = order.path.parent().unwrap_or(Path::new(""));
@@ -52,14 +52,15 @@ impl App {
                 size: order.still.size,
                 trace: document.trace.clone(),
                 pass_limit: order.still.passes,
-                backend: Backend::Auto,
+                backend: self.live.backend(),
             },
+            graphics: self.session().working_graphics().cloned(),
             display: document.display.clone(),
             format: order.format,
             scene_toml: document.to_toml(folder),
             path: order.path,
         };
-        self.export.start(job, ctx, &mut self.notices);
+        self.export.start(job, self.live.waker(), &mut self.notices);
     }
 
     /// True while a question waits above everything else.

@@ -7,11 +7,13 @@ use std::time::Duration;
 use brilliance_renderer::scene_file::StillSettings;
 use brilliance_renderer::settings::TraceSettings;
 use brilliance_renderer::still::StillFormat;
+use brilliance_renderer::tracer::Backend;
 use clap::builder::{RangedI64ValueParser, RangedU64ValueParser};
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory as _, Parser, Subcommand, value_parser};
 
 use super::assignment::Assignment;
+use super::backend::BackendChoice;
 use super::image_size::ImageSize;
 use super::picture_format::{BitDepth, picture_format};
 
@@ -24,6 +26,9 @@ const MAX_THREADS: u64 = 1024;
 pub(super) struct Arguments {
     /// Scene (.toml), mesh (.gltf, .glb) or still (.png, .exr) to show; a diamond without one
     pub(super) file: Option<PathBuf>,
+    /// What traces; the window's menu can change it
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) backend: BackendChoice,
     /// What to do instead of opening the window
     #[command(subcommand)]
     pub(super) command: Option<Command>,
@@ -58,7 +63,11 @@ pub(super) struct RenderArguments {
     #[arg(long, value_name = "S", value_parser = parse_seconds)]
     pub(super) time: Option<Duration>,
 
-    /// Threads to trace with [default: one per processor]
+    /// What traces
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) backend: BackendChoice,
+
+    /// Threads to trace with, on the processor [default: one per core]
     #[arg(long, value_name = "N",
         value_parser = RangedU64ValueParser::<usize>::new().range(1..=MAX_THREADS))]
     pub(super) threads: Option<usize>,
@@ -109,11 +118,20 @@ impl RenderArguments {
         picture_format(&self.output, self.bits, self.spectral)
     }
 
+    /// What traces. Who says with how many threads wants the processor.
+    pub(super) fn backend(&self) -> Backend {
+        if self.threads.is_some() { Backend::Cpu } else { self.backend.into() }
+    }
+
     /// What clap can't see: options that contradict each other.
     fn check(&self) -> Result<(), String> {
         self.format()?;
         self.check_files()?;
-        self.check_assignments()
+        self.check_assignments()?;
+        if self.threads.is_some() && self.backend == BackendChoice::Gpu {
+            return Err("--threads is for the processor; give --backend cpu with it".into());
+        }
+        Ok(())
     }
 
     fn check_files(&self) -> Result<(), String> {

@@ -4,6 +4,7 @@
 
 mod arguments;
 mod assignment;
+mod backend;
 mod image_size;
 mod picture_format;
 mod progress;
@@ -23,15 +24,19 @@ pub fn run() -> ExitCode {
     env_logger::Builder::from_env(env_logger::Env::default().default_filter_or("error")).init();
     let arguments = Arguments::parse_checked();
     let result = match arguments.command {
-        None => view::view(arguments.file.as_deref(), started),
+        None => view::view(arguments.file.as_deref(), arguments.backend.into(), started),
         Some(Command::Render(render)) => render::render(&render),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            // Nothing is left to tell when the standard error is closed.
-            let _ = writeln!(std::io::stderr(), "brilliance: {error}");
+            say(&error.to_string());
             ExitCode::FAILURE
         }
     }
+}
+
+/// Says something on the standard error. Nothing is left to tell where that is closed.
+fn say(text: &str) {
+    let _ = writeln!(std::io::stderr(), "brilliance: {text}");
 }

@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use anyhow::{anyhow, ensure};
 use brilliance_renderer::error::RendererError;
 use brilliance_renderer::film::Film;
+use brilliance_renderer::gpu::Graphics;
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::session::RenderRequest;
 use brilliance_renderer::still::{Still, StillLimits};
@@ -16,6 +17,7 @@ use brilliance_renderer::whole_file;
 use super::arguments::RenderArguments;
 use super::progress::Progress;
 use super::report::Report;
+use super::say;
 
 /// What [`StillLimits::threads`] takes for one thread per processor.
 const ALL_THREADS: usize = 0;
@@ -31,8 +33,7 @@ pub(super) fn render(arguments: &RenderArguments) -> anyhow::Result<()> {
 
     let document = open(arguments)?;
     check_film(&document)?;
-    let threads = arguments.threads.unwrap_or(ALL_THREADS);
-    let still = trace(&document, StillLimits { time: arguments.time, threads }, &cancel)?;
+    let still = trace(arguments, &document, &cancel)?;
     let base = arguments.output.parent().unwrap_or(Path::new(""));
     still.write(&arguments.output, format, &document.display, &document.to_toml(base))?;
 
@@ -61,22 +62,55 @@ fn open(arguments: &RenderArguments) -> anyhow::Result<Document> {
 }
 
 /// Traces the document's still with a progress bar.
-fn trace(document: &Document, limits: StillLimits, cancel: &AtomicBool) -> anyhow::Result<Still> {
+fn trace(
+    arguments: &RenderArguments,
+    document: &Document,
+    cancel: &AtomicBool,
+) -> anyhow::Result<Still> {
     let request = RenderRequest {
         scene: Arc::new(document.scene.clone()),
         camera: document.scene.camera,
         size: document.still.size,
         trace: document.trace.clone(),
         pass_limit: document.still.passes,
-        backend: Backend::Auto,
+        backend: arguments.backend(),
     };
+    let threads = arguments.threads.unwrap_or(ALL_THREADS);
+    let limits = StillLimits { time: arguments.time, threads };
+    let graphics = open_graphics(request.backend)?;
     let progress = Progress::new(request.pass_limit);
-    let still = Still::render(&request, limits, cancel, |passes, _| progress.show(passes));
+    let still = Still::render(&request, limits, graphics.as_ref(), cancel, |passes, _| {
+        progress.show(passes);
+    });
     drop(progress);
-    still.map_err(|error| match error {
+    let still = still.map_err(|error| match error {
         RendererError::Cancelled => anyhow!("cancelled; no picture was written"),
         error => error.into(),
-    })
+    })?;
+    if let Some(warning) = &still.warning {
+        say(&format!("traced on the CPU, since the graphics device could not: {warning}"));
+    }
+    Ok(still)
+}
+
+/// The graphics device to trace on, if any.
+fn open_graphics(backend: Backend) -> anyhow::Result<Option<Graphics>> {
+    match backend {
+        Backend::Cpu => Ok(None),
+        Backend::Auto => Ok(Graphics::open(false)
+            .inspect_err(|reason| log::info!("traced on the CPU: {reason}"))
+            .ok()),
+        Backend::Gpu => {
+            let graphics = Graphics::open(true)?;
+            if graphics.is_software() {
+                say(&format!(
+                    "{} is a graphics device made of software, slower than --backend cpu",
+                    graphics.name()
+                ));
+            }
+            Ok(Some(graphics))
+        }
+    }
 }
 
 /// A flag that Ctrl-C sets from now on.

@@ -7,6 +7,7 @@ use anyhow::Context as _;
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::statistics::Statistics;
 use brilliance_renderer::still::Still;
+use brilliance_renderer::tracer::{Backend, TracerName};
 use brilliance_renderer::whole_file;
 use serde::Serialize;
 
@@ -18,9 +19,14 @@ pub(super) struct Report {
     /// Version of the program.
     version: &'static str,
     /// What traced.
-    backend: &'static str,
-    /// Threads that traced.
-    threads: usize,
+    backend: Backend,
+    /// The graphics device that traced; none for the processor.
+    device: Option<String>,
+    /// Threads that traced; none for a graphics device.
+    threads: Option<usize>,
+    /// The same in words.
+    #[serde(skip)]
+    tracer: String,
     /// The scene file, as the user named it.
     scene: String,
     /// The picture, as the user named it.
@@ -43,10 +49,16 @@ pub(super) struct Report {
 impl Report {
     /// Puts together what is known after the render.
     pub(super) fn new(arguments: &RenderArguments, document: &Document, still: &Still) -> Self {
+        let (backend, device, threads) = match &still.tracer {
+            TracerName::Cpu { threads } => (Backend::Cpu, None, Some(*threads)),
+            TracerName::Gpu { device, .. } => (Backend::Gpu, Some(device.clone()), None),
+        };
         Self {
             version: env!("CARGO_PKG_VERSION"),
-            backend: "cpu",
-            threads: still.threads,
+            backend,
+            device,
+            threads,
+            tracer: still.tracer.to_string(),
             scene: arguments.scene.display().to_string(),
             output: arguments.output.display().to_string(),
             size: document.still.size,
@@ -71,15 +83,16 @@ impl Report {
     }
 
     fn line(&self) -> String {
-        let Self { output, size: [width, height], passes, tracing_seconds, statistics, .. } = self;
+        let Self { output, size: [width, height], tracer, passes, statistics, .. } = self;
         let ledger = &statistics.ledger;
         let percent = |energy: f64| 100.0 * energy / ledger.entered.max(f64::MIN_POSITIVE);
         format!(
-            "{output}: {width}x{height} pixels, {passes} {} in {tracing_seconds:.2} s; \
+            "{output}: {width}x{height} pixels, {passes} {} in {:.2} s on {tracer}; \
              {} camera rays, {} ray segments ({}/s, at most {} for one camera ray); \
              energy: {:.3} % returned, {:.3} % absorbed, {:.3} % pruned, {:.3} % cut off, \
              {:.3} % lost",
             if *passes == 1 { "pass" } else { "passes" },
+            self.tracing_seconds,
             with_prefix(statistics.camera_rays as f64),
             with_prefix(statistics.segments as f64),
             with_prefix(self.segments_per_second),

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use anyhow::{anyhow, bail};
+use brilliance_renderer::tracer::Backend;
 
 use crate::opening::Opening;
 use crate::window;
@@ -13,8 +14,9 @@ const RENDER_WITHOUT: &str = "`brilliance render SCENE -o OUT.png` renders a pic
 /// What is wrong with a file mostly shows within this time, and nobody notices it.
 const PATIENCE: Duration = Duration::from_millis(150);
 
-/// Opens the window on `file`, or on the default stone; the process `started` then.
-pub(super) fn view(file: Option<&Path>, started: Instant) -> anyhow::Result<()> {
+/// Opens the window on `file`, or on the default stone, to be traced by `backend`; the process
+/// `started` then.
+pub(super) fn view(file: Option<&Path>, backend: Backend, started: Instant) -> anyhow::Result<()> {
     let opening = match file {
         Some(path) => Opening::begin(path, PATIENCE)?,
         None => Opening::default(),
@@ -22,7 +24,7 @@ pub(super) fn view(file: Option<&Path>, started: Instant) -> anyhow::Result<()> 
     if display_is_missing() {
         bail!("there is no display to open a window on; {RENDER_WITHOUT}");
     }
-    window::open(opening, started).map_err(|error| anyhow!("{error}; {RENDER_WITHOUT}"))
+    window::open(opening, backend, started).map_err(|error| anyhow!("{error}; {RENDER_WITHOUT}"))
 }
 
 /// Whether this is a system whose windows need a display server, and none is named.

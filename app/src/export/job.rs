@@ -6,19 +6,23 @@ use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::time::Instant;
 
 use brilliance_renderer::error::RendererError;
+use brilliance_renderer::gpu::Graphics;
 use brilliance_renderer::session::RenderRequest;
 use brilliance_renderer::settings::DisplaySettings;
 use brilliance_renderer::still::{Still, StillFormat, StillLimits};
+use brilliance_renderer::tracer::TracerName;
 use brilliance_renderer::whole_file;
-use eframe::egui;
 
 use crate::task::{Task, TaskState};
+use crate::waker::Waker;
 
 /// Everything that makes a still.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct StillJob {
     /// What is traced.
     pub request: RenderRequest,
+    /// The device to trace it on, where its backend calls for that.
+    pub graphics: Option<Graphics>,
     /// How it is developed.
     pub display: DisplaySettings,
     /// How it is written.
@@ -30,12 +34,16 @@ pub struct StillJob {
 }
 
 /// What a finished still cost.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct StillReport {
     /// Passes traced.
     pub passes: u32,
     /// Seconds of tracing alone.
     pub tracing_seconds: f64,
+    /// What traced it.
+    pub tracer: TracerName,
+    /// Why the processor traced it though a graphics device was to.
+    pub warning: Option<String>,
 }
 
 /// Renders and writes a job; called on a thread of its own. The flag cancels it, and the closure
@@ -58,9 +66,12 @@ pub fn render_and_write(
     // A mistyped folder should be told now, not after an hour of tracing.
     whole_file::check(&job.path)?;
     let limits = StillLimits::default();
-    let still = Still::render(&job.request, limits, cancel, |passes, _| progress(passes))?;
+    let graphics = job.graphics.as_ref();
+    let still =
+        Still::render(&job.request, limits, graphics, cancel, |passes, _| progress(passes))?;
     still.write(&job.path, job.format, &job.display, &job.scene_toml)?;
-    Ok(StillReport { passes: still.passes, tracing_seconds: still.tracing_seconds })
+    let Still { passes, tracing_seconds, tracer, warning, .. } = still;
+    Ok(StillReport { passes, tracing_seconds, tracer, warning })
 }
 
 /// A job that runs.
@@ -79,13 +90,13 @@ impl RunningJob {
     pub(super) fn start(
         job: StillJob,
         render: &RenderStill,
-        ctx: &egui::Context,
+        waker: &Waker,
     ) -> std::io::Result<Self> {
         let (passes, cancel) = (Arc::new(AtomicU32::new(0)), Arc::new(AtomicBool::new(false)));
         let (path, pass_limit) = (job.path.clone(), job.request.pass_limit);
-        let (render, repaint) = (Arc::clone(render), ctx.clone());
+        let (render, repaint) = (Arc::clone(render), waker.clone());
         let (done, cancelled) = (Arc::clone(&passes), Arc::clone(&cancel));
-        let task = Task::spawn("export", ctx, move || {
+        let task = Task::spawn("export", waker, move || {
             render(&job, &cancelled, &mut |passes| {
                 done.store(passes, Ordering::Relaxed);
                 repaint.request_repaint();

@@ -20,6 +20,7 @@ use crate::row::readout;
 use crate::status::duration;
 use crate::task::TaskState;
 use crate::theme;
+use crate::waker::Waker;
 
 const FAILED: &str = "Export failed";
 
@@ -91,8 +92,8 @@ impl ExportWindow {
     }
 
     /// Starts `job`.
-    pub fn start(&mut self, job: StillJob, ctx: &egui::Context, notices: &mut Notices) {
-        match RunningJob::start(job, &self.render, ctx) {
+    pub fn start(&mut self, job: StillJob, waker: &Waker, notices: &mut Notices) {
+        match RunningJob::start(job, &self.render, waker) {
             Ok(running) => {
                 notices.withdraw(FAILED);
                 self.running = Some(running);
@@ -111,8 +112,13 @@ impl ExportWindow {
         match running.poll() {
             TaskState::Running => return,
             TaskState::Finished(Ok(report)) => {
-                let cost = duration(report.tracing_seconds);
-                let text = format!("{path}\n{} passes, {cost} of tracing", report.passes);
+                let StillReport { passes, tracing_seconds, tracer, warning } = report;
+                let cost = duration(tracing_seconds);
+                let mut text = format!("{path}\n{passes} passes, {cost} of tracing on {tracer}");
+                if let Some(warning) = warning {
+                    text.push_str("\nThe graphics device could not: ");
+                    text.push_str(&warning);
+                }
                 notices.confirm("Still exported", text);
             }
             TaskState::Finished(Err(RendererError::Cancelled)) => {

@@ -1,191 +1,70 @@
-//! The render thread: serves the newest request, pass by pass.
+//! The render thread: has the newest request traced on the device or on the processor.
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
-use std::time::{Duration, Instant};
 
-use super::{Activity, Progress, RenderRequest, Shared, lock};
-use crate::develop::{LatentImage, XyzImage};
-use crate::error::RendererError;
-use crate::film::Film;
-use crate::packed::PackedScene;
-use crate::scheduler::{Effort, Scheduler, Work};
-use crate::settings::TraceSettings;
-use crate::spectrum::Bins;
-use crate::statistics::Statistics;
-use crate::tracer::{CpuTracer, Tracer, View};
-
-/// Least time between two published states of an accumulating film.
-const PUBLISH_INTERVAL: Duration = Duration::from_millis(33);
-
-/// What the user reads where the tracer has panicked.
-const PANICKED: &str = "the tracer failed on this scene, which is a fault of the program; \
-    change a setting to try again, and please report it with the scene file";
+use super::graphics::ReadyTracer;
+use super::shared::{Shared, lock};
+use super::workplace::{Fault, Workplace};
+use super::{Activity, Progress, RenderRequest};
+use crate::tracer::{CpuTracer, Device};
 
 /// Serves requests until the session closes.
-pub(super) fn run(shared: &Shared, tracer: &CpuTracer) {
-    let mut scheduler = Scheduler::new();
-    let mut job: Option<Job> = None;
-    while let Some((request, generation)) = shared.requests.wait() {
-        // A film that was cut short is gone, whatever it was of.
-        let carries_on = job
-            .as_ref()
-            .is_some_and(|job| job.exposure.is_some() && job.request.makes_same_film(&request));
-        if carries_on {
-            scheduler.limit_passes(request.pass_limit);
-        } else {
-            scheduler.restart(request.size, request.pass_limit);
-        }
-        let previous = job.take();
-        // A bug in the tracer must not leave the window waiting for ever.
-        let served = catch_unwind(AssertUnwindSafe(|| {
-            let mut next = Job::new(request, previous, carries_on)?;
-            next.serve(shared, tracer, &mut scheduler, generation);
-            Ok(next)
-        }));
-        match served.unwrap_or_else(|_| Err(RendererError::Invalid(PANICKED.to_owned()))) {
-            Ok(served) => job = Some(served),
-            Err(error) => shared.publish(Progress {
-                activity: Activity::Failed,
-                error: Some(error.to_string()),
-                ..Progress::default()
-            }),
-        }
-    }
-}
-
-/// A request with its scene packed, and what has been traced of it.
-struct Job {
-    request: RenderRequest,
-    scene: PackedScene,
-    view: View,
-    draft: TraceSettings,
-    exposure: Option<Exposure>,
-}
-
-impl Job {
-    /// Packs the request's scene, or takes it over from the previous job where it is the same;
-    /// the film too where that `carries_on`.
-    fn new(
-        request: RenderRequest,
-        previous: Option<Self>,
-        carries_on: bool,
-    ) -> Result<Self, RendererError> {
-        let bins = Bins::new(request.trace.bins);
-        let (scene, exposure) = match previous {
-            Some(previous) if carries_on => (previous.scene, previous.exposure),
-            Some(previous)
-                if previous.scene.bins == bins && previous.request.has_same_scene(&request) =>
-            {
-                (previous.scene, None)
-            }
-            _ => (PackedScene::new(&request.scene, bins)?, None),
-        };
-        let view = View::new(&request.camera, request.size);
-        let draft = request.trace.draft();
-        Ok(Self { request, scene, view, draft, exposure })
-    }
-
-    /// Traces until the picture is done or there is news.
-    fn serve(
-        &mut self,
-        shared: &Shared,
-        tracer: &CpuTracer,
-        scheduler: &mut Scheduler,
-        generation: u64,
-    ) {
-        while let Some(work) = scheduler.next() {
-            let mut exposure = match self.exposure.take() {
-                Some(exposure) if !work.begins_film => exposure,
-                _ => self.expose(work),
-            };
-            let started = Instant::now();
-            let statistics = tracer.trace(
-                &self.scene,
-                &self.view,
-                self.settings(work.effort),
-                &mut exposure.film,
-                1,
-                &|| shared.requests.generation() != generation,
-            );
-            // A pass that was cut short has spoilt its film.
-            let Ok(statistics) = statistics else { return };
-            let seconds = started.elapsed().as_secs_f64();
-            scheduler.complete(seconds);
-            exposure.add(&statistics, seconds);
-            exposure.publish(shared, &self.request, scheduler.next().is_none());
-            self.exposure = Some(exposure);
-            if shared.requests.has_news() {
-                return;
+pub(super) fn run<D: Device>(shared: &Shared<D>, cpu: CpuTracer) {
+    let mut cpu = Workplace::new(Arc::new(cpu), None);
+    let mut gpu = None;
+    while let Some(generation) = shared.to_trace.wait() {
+        let Some(request) = lock(&shared.request).clone() else { continue };
+        let ready = lock(&shared.graphics).tracer_for(&request);
+        if let Some(ready) = ready {
+            cpu.clear();
+            if serve_on_device(shared, &mut gpu, ready, &request, generation) {
+                continue;
             }
         }
-        if let Some(exposure) = &mut self.exposure {
-            exposure.publish(shared, &self.request, true);
-        }
-    }
-
-    fn settings(&self, effort: Effort) -> &TraceSettings {
-        match effort {
-            Effort::Draft => &self.draft,
-            Effort::Full => &self.request.trace,
-        }
-    }
-
-    fn expose(&self, work: Work) -> Exposure {
-        let [width, height] = self.request.size.map(|length| length.div_ceil(work.divisor));
-        Exposure {
-            film: Film::new(width, height, self.scene.bins),
-            effort: work.effort,
-            statistics: Statistics::default(),
-            seconds: 0.0,
-            published: None,
+        // Before the processor fills the memory that scene and film take there.
+        gpu = None;
+        if let Err(fault) = cpu.serve(shared, request, generation) {
+            publish_failure(shared, fault.text());
         }
     }
 }
 
-/// A film and what it has cost.
-struct Exposure {
-    film: Film,
-    effort: Effort,
-    statistics: Statistics,
-    seconds: f64,
-    /// When, and after how many passes, the film was last handed on.
-    published: Option<(Instant, u32)>,
+/// Serves a request on the device; false where the processor has to take over.
+fn serve_on_device<D: Device>(
+    shared: &Shared<D>,
+    workplace: &mut Option<Workplace<D::Tracer>>,
+    ready: ReadyTracer<D::Tracer>,
+    request: &RenderRequest,
+    generation: u64,
+) -> bool {
+    let ReadyTracer { tracer, number } = ready;
+    let mut current = workplace
+        .take()
+        .filter(|workplace| workplace.is_of(number))
+        .unwrap_or_else(|| Workplace::new(tracer, Some(number)));
+    match current.serve(shared, request.clone(), generation) {
+        Ok(()) => *workplace = Some(current),
+        Err(Fault::Request(error)) => {
+            *workplace = Some(current);
+            publish_failure(shared, error.to_string());
+        }
+        Err(Fault::Refused(refusal, reason)) => {
+            lock(&shared.graphics).refuse(number, refusal, &reason);
+            shared.announce();
+            return false;
+        }
+        Err(Fault::Device(reason)) => {
+            shared.give_up(number, reason);
+            return false;
+        }
+    }
+    true
 }
 
-impl Exposure {
-    fn add(&mut self, statistics: &Statistics, seconds: f64) {
-        self.statistics += *statistics;
-        self.seconds += seconds;
-    }
-
-    /// Hands the film on, unless that was done a moment ago and more is to come.
-    fn publish(&mut self, shared: &Shared, request: &RenderRequest, is_done: bool) {
-        let is_recent = self.published.is_some_and(|(at, _)| at.elapsed() < PUBLISH_INTERVAL);
-        if is_recent && !is_done {
-            return;
-        }
-        let passes = self.film.passes();
-        if self.published.is_none_or(|(_, published_passes)| published_passes != passes) {
-            *lock(&shared.image) =
-                Some(Arc::new(LatentImage::Memory(XyzImage::from_film(&self.film))));
-            shared.to_develop.post(());
-        }
-        self.published = Some((Instant::now(), passes));
-        let activity = match (is_done, self.effort) {
-            (true, _) => Activity::Done,
-            (false, Effort::Full) => Activity::Accumulating,
-            (false, Effort::Draft) => Activity::Preview,
-        };
-        shared.publish(Progress {
-            activity,
-            passes,
-            pass_limit: request.pass_limit,
-            size: self.film.size(),
-            statistics: self.statistics,
-            tracing_seconds: self.seconds,
-            error: None,
-            tracer: None,
-        });
-    }
+fn publish_failure<D: Device>(shared: &Shared<D>, error: String) {
+    shared.publish(Progress {
+        activity: Activity::Failed,
+        error: Some(error),
+        ..Progress::default()
+    });
 }

@@ -17,6 +17,17 @@ pub enum Backend {
     Gpu,
 }
 
+impl Backend {
+    /// Whether a device is traced on where this is asked for.
+    pub fn uses_device(self, is_software: bool) -> bool {
+        match self {
+            Self::Auto => !is_software,
+            Self::Cpu => false,
+            Self::Gpu => true,
+        }
+    }
+}
+
 /// Which tracer traced.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum TracerName {

@@ -2,10 +2,14 @@
 
 mod backend;
 mod cpu;
+mod device;
+#[cfg(test)]
+pub(crate) mod fake;
 mod gpu;
 
 pub use backend::{Backend, TracerName};
 pub use cpu::CpuTracer;
+pub(crate) use device::{DEVICE_PANICKED, Device};
 pub use gpu::{GpuFilm, GpuScene, GpuTracer};
 
 use glam::Vec3;

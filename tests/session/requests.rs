@@ -1,76 +1,18 @@
-//! The session: the newest request wins, display settings do not retrace, stills can be cancelled.
+//! On the processor: which request is served, and what is shown of it.
 
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Condvar, Mutex};
-use std::time::Duration;
+use std::sync::{Arc, Mutex};
 
 use brilliance_renderer::develop::Pixels;
-use brilliance_renderer::error::RendererError;
-use brilliance_renderer::scene_file::Document;
-use brilliance_renderer::session::{Activity, Picture, Progress, RenderRequest, Session};
+use brilliance_renderer::session::{Activity, Picture};
 use brilliance_renderer::settings::{DisplaySettings, ToneCurve, TraceSettings};
-use brilliance_renderer::still::{Still, StillLimits};
-use brilliance_renderer::tracer::Backend;
 
-/// Far beyond what any of this takes; only a hang reaches it.
-const PATIENCE: Duration = Duration::from_mins(2);
-
-/// A session and a bell that it rings at every update.
-struct Watched {
-    session: Session,
-    bell: Arc<(Mutex<u64>, Condvar)>,
-}
-
-impl Watched {
-    fn new() -> Self {
-        let bell = Arc::new((Mutex::new(0), Condvar::new()));
-        let ringer = Arc::clone(&bell);
-        let session = Session::new(move || {
-            *ringer.0.lock().expect("nobody panics with the bell") += 1;
-            ringer.1.notify_all();
-        })
-        .expect("threads can be started");
-        Self { session, bell }
-    }
-
-    /// Waits until `is_there` holds.
-    fn wait(&self, is_there: impl Fn(&Session) -> bool) {
-        let mut rings = self.bell.0.lock().expect("nobody panics with the bell");
-        while !is_there(&self.session) {
-            let (next, timeout) =
-                self.bell.1.wait_timeout(rings, PATIENCE).expect("nobody panics with the bell");
-            assert!(!timeout.timed_out(), "no update: {:?}", self.session.progress());
-            rings = next;
-        }
-    }
-
-    fn wait_for_done(&self, size: [u32; 2]) -> (Arc<Picture>, Progress) {
-        let is_shown = |session: &Session| session.picture().is_some_and(|p| p.size == size);
-        self.wait(|session| {
-            let progress = session.progress();
-            progress.activity == Activity::Done && progress.size == size && is_shown(session)
-        });
-        (self.session.picture().expect("it is there"), self.session.progress())
-    }
-}
+use crate::watched::{Watched, request};
 
 /// The pixels of a picture made by the processor.
 fn rgba8(picture: &Picture) -> &[u8] {
     match &picture.pixels {
         Pixels::Rgba8(rgba8) => rgba8,
         Pixels::Texture(_) => panic!("the processor makes no textures"),
-    }
-}
-
-fn request(size: [u32; 2], passes: u32) -> RenderRequest {
-    let document = Document::default();
-    RenderRequest {
-        camera: document.scene.camera,
-        scene: Arc::new(document.scene),
-        size,
-        trace: document.trace,
-        pass_limit: passes,
-        backend: Backend::Cpu,
     }
 }
 
@@ -192,25 +134,4 @@ fn a_scene_that_is_no_solid_fails_in_words_and_the_next_one_is_traced() {
     watched.session.request(request([16, 16], 1));
     watched.wait_for_done([16, 16]);
     assert_eq!(watched.session.progress().error, None);
-}
-
-#[test]
-fn a_cancelled_still_ends_at_once_with_its_error() {
-    let cancel = AtomicBool::new(false);
-    let request = request([64, 64], 1_000_000);
-    let result = Still::render(&request, StillLimits::default(), &cancel, |passes, _| {
-        if passes == 2 {
-            cancel.store(true, Ordering::Relaxed);
-        }
-    });
-    assert!(matches!(result, Err(RendererError::Cancelled)));
-}
-
-#[test]
-fn a_still_stops_at_its_time_after_whole_passes() {
-    let limits = StillLimits { time: Some(Duration::ZERO), threads: 1 };
-    let cancel = AtomicBool::new(false);
-    let still = Still::render(&request([16, 16], 9), limits, &cancel, |_, _| {}).expect("renders");
-    assert_eq!(still.passes, 1);
-    assert_eq!(still.film.passes(), 1);
 }

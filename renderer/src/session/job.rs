@@ -1,0 +1,200 @@
+//! A request in progress: its scene where the tracer reads it, and the film.
+
+use std::time::{Duration, Instant};
+
+use super::graphics::Refusal;
+use super::shared::{Exposed, Shared};
+use super::workplace::Fault;
+use super::{Activity, Progress, RenderRequest};
+use crate::error::RendererError;
+use crate::packed::PackedScene;
+use crate::scheduler::{Effort, Scheduler, Work};
+use crate::settings::TraceSettings;
+use crate::spectrum::Bins;
+use crate::statistics::Statistics;
+use crate::tracer::{Device, Tracer, View};
+
+/// Least time between two published states of an accumulating film.
+const PUBLISH_INTERVAL: Duration = Duration::from_millis((1e3 * Scheduler::PUBLISH_SECONDS) as u64);
+
+/// A request with its scene loaded, and what has been traced of it.
+pub(super) struct Job<T: Tracer> {
+    request: RenderRequest,
+    scene: T::Scene,
+    bins: Bins,
+    view: View,
+    draft: TraceSettings,
+    exposure: Option<Exposure<T::Film>>,
+    /// A film that is no longer needed, to be used again.
+    spare: Option<T::Film>,
+}
+
+impl<T: Tracer> Job<T> {
+    /// Loads the request's scene, or takes it over from the previous job where it is the same; the
+    /// film too where the request wants that.
+    pub(super) fn new(
+        tracer: &T,
+        request: RenderRequest,
+        previous: Option<Self>,
+    ) -> Result<Self, Fault> {
+        let bins = Bins::new(request.trace.bins);
+        let carries_on = previous.as_ref().is_some_and(|job| job.has_film_of(&request));
+        let (scene, exposure, spare) = match previous {
+            Some(job) if carries_on => (Some(job.scene), job.exposure, job.spare),
+            Some(job) => {
+                let is_same = job.bins == bins && job.request.shows(&request.scene);
+                let film = job.exposure.map(|exposure| exposure.film);
+                (is_same.then_some(job.scene), None, film.or(job.spare))
+            }
+            None => (None, None, None),
+        };
+        let scene = match scene {
+            Some(scene) => scene,
+            None => load(tracer, &request, bins)?,
+        };
+        let view = View::new(&request.camera, request.size);
+        let draft = request.trace.draft();
+        Ok(Self { request, scene, bins, view, draft, exposure, spare })
+    }
+
+    /// Whether the request carries on with the film of this job, which is gone where it was cut
+    /// short.
+    pub(super) fn has_film_of(&self, request: &RenderRequest) -> bool {
+        self.exposure.is_some() && self.request.makes_same_film(request)
+    }
+
+    /// Traces until the picture is done or there is news.
+    pub(super) fn serve<D: Device>(
+        &mut self,
+        shared: &Shared<D>,
+        tracer: &T,
+        device: Option<u64>,
+        scheduler: &mut Scheduler,
+        generation: u64,
+    ) -> Result<(), Fault> {
+        while let Some(work) = scheduler.next() {
+            let mut exposure = self.exposure_for(work, tracer)?;
+            let started = Instant::now();
+            let traced = tracer.trace(
+                &self.scene,
+                &self.view,
+                self.settings(work.effort),
+                &mut exposure.film,
+                work.passes,
+                &|| shared.to_trace.generation() != generation,
+            );
+            let statistics = match traced {
+                Ok(statistics) => statistics,
+                Err(RendererError::Cancelled) => {
+                    // A round that was cut short has spoilt its film.
+                    self.spare = Some(exposure.film);
+                    return Ok(());
+                }
+                Err(error) => return Err(Fault::new(error)),
+            };
+            let seconds = started.elapsed().as_secs_f64();
+            scheduler.complete(work, seconds);
+            exposure.add(work.passes, &statistics, seconds);
+            let is_done = scheduler.next().is_none();
+            self.exposure = Some(exposure);
+            self.publish(shared, tracer, device, is_done)?;
+            if shared.to_trace.has_rung() {
+                return Ok(());
+            }
+        }
+        self.publish(shared, tracer, device, true)
+    }
+
+    fn settings(&self, effort: Effort) -> &TraceSettings {
+        match effort {
+            Effort::Draft => &self.draft,
+            Effort::Full => &self.request.trace,
+        }
+    }
+
+    /// The film to add `work` to.
+    fn exposure_for(&mut self, work: Work, tracer: &T) -> Result<Exposure<T::Film>, Fault> {
+        let used = match self.exposure.take() {
+            Some(exposure) if !work.begins_film => return Ok(exposure),
+            Some(exposure) => Some(exposure.film),
+            None => self.spare.take(),
+        };
+        let size = self.request.size.map(|length| length.div_ceil(work.divisor));
+        let film = tracer.film(size, self.bins, used).map_err(|error| {
+            let pixels = size.map(u64::from).iter().product();
+            let wanted = Refusal::Film(pixels, self.request.trace.bins);
+            Fault::of_size(error, wanted, tracer, self.bins)
+        })?;
+        Ok(Exposure::new(film, size, work.effort))
+    }
+
+    /// Hands the film on, unless that was done a moment ago and more is to come.
+    fn publish<D: Device>(
+        &mut self,
+        shared: &Shared<D>,
+        tracer: &T,
+        device: Option<u64>,
+        is_done: bool,
+    ) -> Result<(), Fault> {
+        let Some(exposure) = &mut self.exposure else { return Ok(()) };
+        let is_recent = exposure.published.is_some_and(|(at, _)| at.elapsed() < PUBLISH_INTERVAL);
+        if is_recent && !is_done {
+            return Ok(());
+        }
+        let passes = exposure.passes;
+        if exposure.published.is_none_or(|(_, published_passes)| published_passes != passes) {
+            let image = tracer.expose(&exposure.film).map_err(Fault::new)?;
+            shared.expose(Exposed { image, device });
+        }
+        exposure.published = Some((Instant::now(), passes));
+        let activity = match (is_done, exposure.effort) {
+            (true, _) => Activity::Done,
+            (false, Effort::Full) => Activity::Accumulating,
+            (false, Effort::Draft) => Activity::Preview,
+        };
+        shared.publish(Progress {
+            activity,
+            passes,
+            pass_limit: self.request.pass_limit,
+            size: exposure.size,
+            statistics: exposure.statistics,
+            tracing_seconds: exposure.seconds,
+            error: None,
+            tracer: Some(tracer.name()),
+        });
+        Ok(())
+    }
+}
+
+fn load<T: Tracer>(tracer: &T, request: &RenderRequest, bins: Bins) -> Result<T::Scene, Fault> {
+    let packed = PackedScene::new(&request.scene, bins).map_err(Fault::new)?;
+    tracer.load(packed).map_err(|error| {
+        let wanted = Refusal::Scene(request.scene.clone(), request.trace.bins);
+        Fault::of_size(error, wanted, tracer, bins)
+    })
+}
+
+/// A film and what it has cost.
+struct Exposure<F> {
+    film: F,
+    size: [u32; 2],
+    effort: Effort,
+    passes: u32,
+    statistics: Statistics,
+    seconds: f64,
+    /// When, and after how many passes, the film was last handed on.
+    published: Option<(Instant, u32)>,
+}
+
+impl<F> Exposure<F> {
+    fn new(film: F, size: [u32; 2], effort: Effort) -> Self {
+        let statistics = Statistics::default();
+        Self { film, size, effort, passes: 0, statistics, seconds: 0.0, published: None }
+    }
+
+    fn add(&mut self, passes: u32, statistics: &Statistics, seconds: f64) {
+        self.passes += passes;
+        self.statistics += *statistics;
+        self.seconds += seconds;
+    }
+}

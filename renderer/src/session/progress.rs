@@ -1,0 +1,53 @@
+//! What a session tells of its work.
+
+use crate::develop::Pixels;
+use crate::statistics::Statistics;
+use crate::tracer::TracerName;
+
+/// A developed image, ready for the screen.
+#[derive(Debug)]
+pub struct Picture {
+    /// Width and height in pixels; smaller than requested while previewing.
+    pub size: [u32; 2],
+    /// What is shown.
+    pub pixels: Pixels,
+    /// Counts up with every picture published.
+    pub serial: u64,
+}
+
+/// What the session is doing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Activity {
+    /// No request yet.
+    #[default]
+    Idle,
+    /// Reduced resolution while things change.
+    Preview,
+    /// Passes accumulate at full resolution.
+    Accumulating,
+    /// The pass limit is reached.
+    Done,
+    /// The request could not be traced; see [`Progress::error`].
+    Failed,
+}
+
+/// Where the current request stands.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Progress {
+    /// What the session is doing.
+    pub activity: Activity,
+    /// Passes in the film that is shown.
+    pub passes: u32,
+    /// Passes asked for.
+    pub pass_limit: u32,
+    /// Size of the film that is shown.
+    pub size: [u32; 2],
+    /// Counts of the film that is shown.
+    pub statistics: Statistics,
+    /// Seconds of tracing in the film that is shown.
+    pub tracing_seconds: f64,
+    /// Why the request failed.
+    pub error: Option<String>,
+    /// What traced the film that is shown; none before the first.
+    pub tracer: Option<TracerName>,
+}

@@ -1,0 +1,126 @@
+//! What the threads of a session share. Every lock is held for moments only: never while shaders
+//! are compiled, rays traced or pixels developed.
+
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use super::bell::Bell;
+use super::graphics::GraphicsSlot;
+use super::{Picture, Progress, RenderRequest};
+use crate::develop::{LatentImage, Pixels};
+use crate::settings::DisplaySettings;
+use crate::tracer::Device;
+
+/// What the threads share. A poisoned lock still holds a whole value, so poison is ignored.
+///
+/// The graphics are locked before image and picture where both are needed.
+pub(super) struct Shared<D: Device> {
+    pub(super) request: Mutex<Option<RenderRequest>>,
+    /// Says that the request or the graphics are new.
+    pub(super) to_trace: Bell,
+    pub(super) graphics: Mutex<GraphicsSlot<D>>,
+    pub(super) image: Mutex<Option<Arc<Exposed>>>,
+    pub(super) display: Mutex<DisplaySettings>,
+    /// Says that there is something new to develop.
+    pub(super) to_develop: Bell,
+    pub(super) picture: Mutex<Option<Arc<Picture>>>,
+    pub(super) progress: Mutex<Progress>,
+    on_update: Box<dyn Fn() + Send + Sync>,
+}
+
+/// An image, and the number of the device it is on; none for the processor.
+pub(super) struct Exposed {
+    pub(super) image: LatentImage,
+    pub(super) device: Option<u64>,
+}
+
+impl<D: Device> Shared<D> {
+    pub(super) fn new(on_update: impl Fn() + Send + Sync + 'static) -> Self {
+        Self {
+            request: Mutex::new(None),
+            to_trace: Bell::new(),
+            graphics: Mutex::new(GraphicsSlot::new()),
+            image: Mutex::new(None),
+            display: Mutex::new(DisplaySettings::default()),
+            to_develop: Bell::new(),
+            picture: Mutex::new(None),
+            progress: Mutex::new(Progress::default()),
+            on_update: Box::new(on_update),
+        }
+    }
+
+    /// Tells the window that there is news.
+    pub(super) fn announce(&self) {
+        (self.on_update)();
+    }
+
+    pub(super) fn publish(&self, progress: Progress) {
+        *lock(&self.progress) = progress;
+        self.announce();
+    }
+
+    /// Hands an image on to be developed, unless its device has been given up.
+    pub(super) fn expose(&self, exposed: Exposed) {
+        let graphics = lock(&self.graphics);
+        if exposed.device.is_some_and(|number| !graphics.is_current(number)) {
+            return;
+        }
+        let old = lock(&self.image).replace(Arc::new(exposed));
+        drop(graphics);
+        drop(old);
+        self.to_develop.ring();
+    }
+
+    /// Shows a picture, unless its device has been given up.
+    pub(super) fn show(&self, picture: Picture, device: Option<u64>) {
+        let graphics = lock(&self.graphics);
+        if device.is_some_and(|number| !graphics.is_current(number)) {
+            return;
+        }
+        let old = lock(&self.picture).replace(Arc::new(picture));
+        drop(graphics);
+        drop(old);
+        self.announce();
+    }
+
+    /// Takes over another device; false where it is the one that is there already.
+    pub(super) fn offer(&self, device: D) -> bool {
+        let mut graphics = lock(&self.graphics);
+        if !graphics.offer(device) {
+            return false;
+        }
+        self.forget_image();
+        // A texture can't be shown by any device but its own.
+        let mut picture = lock(&self.picture);
+        if picture.as_ref().is_some_and(|old| matches!(old.pixels, Pixels::Texture(_))) {
+            *picture = None;
+        }
+        true
+    }
+
+    /// Gives up the device of this number, and with it what is developed there; false where that
+    /// was done already.
+    pub(super) fn give_up(&self, number: u64, reason: String) -> bool {
+        let mut graphics = lock(&self.graphics);
+        let is_news = graphics.fail(number, reason);
+        if is_news {
+            self.forget_image();
+        }
+        drop(graphics);
+        if is_news {
+            self.announce();
+        }
+        is_news
+    }
+
+    /// Forgets an image that is on a device.
+    fn forget_image(&self) {
+        let mut image = lock(&self.image);
+        if image.as_ref().is_some_and(|exposed| exposed.device.is_some()) {
+            *image = None;
+        }
+    }
+}
+
+pub(super) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
