@@ -67,7 +67,7 @@ impl World {
         ];
         Self::new(
             "the full scene",
-            Scene { objects, ground: Some(ground), lights, ..Scene::default() },
+            &Scene { objects, ground: Some(ground), lights, ..Scene::default() },
         )
     }
 
@@ -95,7 +95,7 @@ impl World {
             ..Lights::default()
         };
         let objects = vec![object(Shape::RoundBrilliant(RoundBrilliant::default()), DIAMOND, None)];
-        Self::new("the single stone", Scene { objects, lights, ..Scene::default() })
+        Self::new("the single stone", &Scene { objects, lights, ..Scene::default() })
     }
 
     /// A cube as a mesh of which one edge is split on one side, closed by a triangle without area.
@@ -104,16 +104,16 @@ impl World {
         let lights = Lights { hemisphere: Some(SkyLight::daylight(1.0)), ..Lights::default() };
         Self::new(
             "the cube with a sliver",
-            Scene { objects: vec![object], lights, ..Scene::default() },
+            &Scene { objects: vec![object], lights, ..Scene::default() },
         )
     }
 
     /// Nothing at all.
     pub(crate) fn empty() -> Self {
-        Self::new("the empty scene", Scene::default())
+        Self::new("the empty scene", &Scene::default())
     }
 
-    fn new(name: &'static str, scene: Scene) -> Self {
+    fn new(name: &'static str, scene: &Scene) -> Self {
         let size = [61, 47];
         let camera = Camera { fov_y_radians: 0.6, ..Camera::default() }.frame(size[0], size[1]);
         let rules = TraceRules {
@@ -124,7 +124,7 @@ impl World {
             perturb: 1,
             padding: 0,
         };
-        let scene = PackedScene::new(&scene, Bins::new(9)).expect("the scene packs");
+        let scene = PackedScene::new(scene, Bins::new(9)).expect("the scene packs");
         Self { name, scene, camera, size, rules }
     }
 

@@ -104,7 +104,7 @@ fn single_rays() -> Vec<Probe> {
             rust: |_, take, put| {
                 put.ray(&reflected_ray(&take.ray(), &take.hit(), &take.interface()));
             },
-            cases: |world| arrivals_at_interfaces(world, Case::new()),
+            cases: |world| arrivals_at_interfaces(world, &Case::new()),
             tolerance: ROUNDING,
         },
         Probe {
@@ -117,7 +117,7 @@ fn single_rays() -> Vec<Probe> {
                 let lambda_nm = 0.5 * (ray.lambda_low_nm + ray.lambda_high_nm);
                 put.vec3(refracted_at(&world.scene, &ray, &take.interface(), lambda_nm));
             },
-            cases: |world| arrivals_at_interfaces(world, Case::new()),
+            cases: |world| arrivals_at_interfaces(world, &Case::new()),
             tolerance: CRITICAL,
         },
         Probe {
@@ -132,7 +132,7 @@ fn single_rays() -> Vec<Probe> {
                     refract_and_reflect(walk, &ray, &hit, &take.interface(), spread);
                 });
             },
-            cases: |world| arrivals_at_interfaces(world, walk_case()),
+            cases: |world| arrivals_at_interfaces(world, &walk_case()),
             tolerance: FORK,
         },
     ]
@@ -223,10 +223,9 @@ fn arrivals(world: &World) -> Vec<Case> {
     arrivals.map(|(ray, hit)| Case::new().ray(&ray).hit(&hit)).collect()
 }
 
-fn arrivals_at_interfaces(world: &World, start: Case) -> Vec<Case> {
+fn arrivals_at_interfaces(world: &World, start: &Case) -> Vec<Case> {
     let case = |(ray, hit): (Ray, Hit)| {
         let at = interface_at(&world.scene, &ray, &hit);
-        // One in a row has been turned away from the surface by `perturb`.
         start.clone().ray(&ray).hit(&hit).interface(&at)
     };
     arriving_rays(world).into_iter().map(case).collect()

@@ -119,7 +119,7 @@ fn fan_at_cone(dice: &mut Dice, cone: &Cone) -> Ray {
     let width = ray.spread.length();
     let radius = cone.cos_radius.acos();
     let at_edge = radius + width * dice.between(-1.2, 1.2);
-    let (beside, any) = (dice.between(0.0, 2.0) * radius, dice.between(0.0, 3.14));
+    let (beside, any) = (dice.between(0.0, 2.0) * radius, dice.between(0.0, PI));
     let angle = dice.pick(&[at_edge, at_edge, beside, any]);
     let direction = dice.direction_at(cone.center, angle.cos());
     let outwards = (direction - cone.center).normalize_or_zero() * width;

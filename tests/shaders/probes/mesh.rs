@@ -4,8 +4,8 @@ use brilliance_renderer::kernel::mesh::{
     BoxRay, Shear, Sides, faces, meet_mesh, triangle_distance,
 };
 use brilliance_renderer::kernel::ray::{FAR, Ray};
-use brilliance_renderer::packed::{MESH, NONE, PackedTriangle};
-use glam::{Vec3, Vec4Swizzles};
+use brilliance_renderer::packed::{Instance, MESH, NONE, PackedTriangle};
+use glam::{Mat3, Vec3, Vec4Swizzles};
 
 use crate::probe::{Case, Dice, EXACT, Probe, ROUNDING, Table, Tolerance, World, throw};
 
@@ -114,8 +114,9 @@ fn meshes() -> Vec<Probe> {
             put.hit(&meet_mesh(&world.scene, instance, &ray, left_facet, take.sides(), take.f32()));
         },
         cases: rays_at_meshes,
-        // Within rounding of an edge the two may choose different facets.
-        tolerance: DISTANCE.but(0.002),
+        // Distances divide by the cosine to the facet. Within rounding of an edge the two may choose
+        // different facets.
+        tolerance: Tolerance::relative(1e-4).or(1e-4).but(0.0005),
     }]
 }
 
@@ -205,19 +206,29 @@ fn rays_at_edges(world: &World) -> Vec<Case> {
     cases
 }
 
-/// From outside and from inside, having left any facet or none, near or far limits.
+/// The world's point for one in the frame of a mesh, of which the matrix is a turn and a scale.
+fn into_world(instance: &Instance, point: Vec3) -> Vec3 {
+    let rows = instance.object_from_world;
+    let offset = Vec3::new(rows[0].w, rows[1].w, rows[2].w);
+    let turned = Mat3::from_cols(rows[0].xyz(), rows[1].xyz(), rows[2].xyz()) * (point - offset);
+    turned / rows[0].xyz().length_squared()
+}
+
+/// At each triangle and past them, from outside and from inside, having left any facet or none, near or far limits.
 fn rays_at_meshes(world: &World) -> Vec<Case> {
     let scene = &world.scene;
     let meshes: Vec<usize> =
         (0..scene.instances.len()).filter(|&i| scene.instances[i].kind == MESH).collect();
-    throw(1500, |dice| {
+    throw(3000, |dice| {
         let number = dice.pick(&meshes);
         let instance = &scene.instances[number];
-        let scale = instance.object_from_world[0].xyz().length().recip();
-        let target = instance.center + dice.point(2.5) * scale;
+        let triangle = &scene.triangles[dice.below(scene.triangles.len())];
+        let upon = into_world(instance, point_of(triangle, 0.3, 0.4));
+        let beside = instance.center + dice.point(3.0);
+        let (target, closest) = dice.pick(&[(upon, 0.5), (upon, 0.5), (beside, 0.0)]);
         let direction = any_direction(dice);
-        let distance = dice.between(0.0, 20.0);
-        let ray = Ray::white(target - direction * dice.pick(&[0.0, distance]), direction);
+        let distance = dice.between(closest, 20.0);
+        let ray = Ray::white(target - direction * dice.pick(&[closest, distance]), direction);
         let facet = dice.below(8) as u32;
         let left_facet = dice.pick(&[facet, NONE, NONE]);
         let limit = dice.between(0.0, 20.0);

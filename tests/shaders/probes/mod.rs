@@ -25,7 +25,9 @@ use brilliance_renderer::shaders::KERNEL;
 fn a_slip_in_a_shader_is_found() {
     let table = spread::table();
     assert_eq!(table.faults(KERNEL), [""; 0]);
-    for (from, to) in [("2.0 * atan", "2.01 * atan"), ("high - low", "low - high"), ("1u + u32", "u32")] {
+    for (from, to) in
+        [("2.0 * atan", "2.01 * atan"), ("high - low", "low - high"), ("1u + u32", "u32")]
+    {
         let mut slipped = KERNEL.to_vec();
         let module = slipped.iter_mut().find(|module| module.name == "spread").expect("a module");
         let source = module.source.replacen(from, to, 1);

@@ -1,11 +1,11 @@
 //! The walk itself, for one ray and for some.
 
-use brilliance_renderer::kernel::intersect::find_intersection;
-use brilliance_renderer::kernel::ray::{Hit, Ray};
+use brilliance_renderer::kernel::intersect::{find_intersection, meet_instance};
+use brilliance_renderer::kernel::ray::{FAR, Hit, Ray};
 use brilliance_renderer::kernel::trace::{follow, is_lost, meets_opaque, runs_in_absorber};
-use brilliance_renderer::packed::NONE;
+use brilliance_renderer::packed::{MESH, NONE};
 
-use crate::probe::{Case, EXACT, Probe, Table, Tolerance, World};
+use crate::probe::{Case, Dice, EXACT, Probe, Table, Tolerance, World};
 
 #[test]
 fn trace() {
@@ -77,5 +77,26 @@ pub(super) fn table() -> Table {
 
 fn rays(world: &World) -> Vec<Case> {
     let case = |(i, ray): (usize, Ray)| Case::new().u32(i as u32).u32(i as u32 / 7).ray(&ray);
-    world.rays(1000).into_iter().enumerate().map(case).collect()
+    let rays = world.rays(1000).into_iter().chain(astray(world));
+    rays.enumerate().map(case).collect()
+}
+
+/// Rays that run in a mesh which they do not meet from inside: upon the facet that they have left,
+/// which another try meets, and too far outside for that.
+fn astray(world: &World) -> Vec<Ray> {
+    let mut dice = Dice::new(53);
+    let mut rays = Vec::new();
+    for (number, instance) in (0..).zip(&world.scene.instances) {
+        if instance.kind != MESH || world.scene.material_of(number).is_opaque() {
+            continue;
+        }
+        for _ in 0..40 {
+            let medium = Ray { medium: number, ..Ray::white(instance.center, dice.direction()) };
+            let hit = meet_instance(&world.scene, &medium, number, FAR);
+            let distance = hit.distance * dice.pick(&[1.0, 1.3]);
+            let origin = medium.origin + medium.direction * distance;
+            rays.push(Ray { origin, instance: number, facet: hit.facet, ..medium });
+        }
+    }
+    rays
 }

@@ -17,46 +17,32 @@ const ENERGY: Tolerance = Tolerance::relative(1e-5).or(2e-6);
 pub(super) fn table() -> Table {
     Table {
         worlds: vec![World::full(), World::curt()],
-        probes: vec![
-            Probe {
-                name: "next_seed",
-                wgsl: "begin_walk();
-    put_u32(next_seed());
-    put_u32(next_seed());
-    put_walk();",
-                rust: |world, take, put| {
-                    world.walk(take, put, |walk, _, put| {
-                        put.u32(walk.next_seed());
-                        put.u32(walk.next_seed());
-                    });
-                },
-                cases: |_| {
-                    let mut cases = throw(100, |dice| Case::new().u32(dice.word()).u32(0));
-                    cases.push(Case::new().u32(u32::MAX).u32(0));
-                    cases
-                },
-                tolerance: EXACT,
-            },
-            Probe {
-                name: "has_rays",
-                wgsl: "begin_walk();
+        probes: [stack(), books()].into_iter().flatten().collect(),
+    }
+}
+
+fn stack() -> Vec<Probe> {
+    vec![
+        Probe {
+            name: "has_rays",
+            wgsl: "begin_walk();
     put_bool(has_rays());
     send(take_ray());
     put_bool(has_rays());
     put_walk();",
-                rust: |world, take, put| {
-                    world.walk(take, put, |walk, take, put| {
-                        put.bool(walk.has_rays());
-                        walk.send(&take.ray());
-                        put.bool(walk.has_rays());
-                    });
-                },
-                cases: |world| rays_to_send(world, 1),
-                tolerance: ENERGY,
+            rust: |world, take, put| {
+                world.walk(take, put, |walk, take, put| {
+                    put.bool(walk.has_rays());
+                    walk.send(&take.ray());
+                    put.bool(walk.has_rays());
+                });
             },
-            Probe {
-                name: "pop",
-                wgsl: "begin_walk();
+            cases: |world| rays_to_send(world, 1),
+            tolerance: ENERGY,
+        },
+        Probe {
+            name: "pop",
+            wgsl: "begin_walk();
     send(take_ray());
     send(take_ray());
     if has_rays() {
@@ -64,22 +50,22 @@ pub(super) fn table() -> Table {
     }
     send(take_ray());
     put_walk();",
-                rust: |world, take, put| {
-                    world.walk(take, put, |walk, take, put| {
-                        walk.send(&take.ray());
-                        walk.send(&take.ray());
-                        if walk.has_rays() {
-                            put.ray(&walk.pop());
-                        }
-                        walk.send(&take.ray());
-                    });
-                },
-                cases: |world| rays_to_send(world, 3),
-                tolerance: ENERGY,
+            rust: |world, take, put| {
+                world.walk(take, put, |walk, take, put| {
+                    walk.send(&take.ray());
+                    walk.send(&take.ray());
+                    if walk.has_rays() {
+                        put.ray(&walk.pop());
+                    }
+                    walk.send(&take.ray());
+                });
             },
-            Probe {
-                name: "send to a full stack",
-                wgsl: "begin_walk();
+            cases: |world| rays_to_send(world, 3),
+            tolerance: ENERGY,
+        },
+        Probe {
+            name: "send to a full stack",
+            wgsl: "begin_walk();
     let ray = take_ray();
     for (var i = 0u; i < STACK_LEN; i++) {
         send(ray);
@@ -89,38 +75,59 @@ pub(super) fn table() -> Table {
     put_u32(walk.stack_count);
     walk.stack_count = 1u;
     put_walk();",
-                rust: |world, take, put| {
-                    world.walk(take, put, |walk, take, put| {
-                        let ray = take.ray();
-                        for _ in 0..STACK_LEN {
-                            walk.send(&ray);
-                        }
-                        put.u32(STACK_LEN as u32);
+            rust: |world, take, put| {
+                world.walk(take, put, |walk, take, put| {
+                    let ray = take.ray();
+                    for _ in 0..STACK_LEN {
                         walk.send(&ray);
-                        put.u32(STACK_LEN as u32);
-                        for _ in 1..STACK_LEN {
-                            walk.pop();
-                        }
-                    });
-                },
-                cases: |_| {
-                    throw(20, |dice| walk_case().ray(&Ray { significance: 1.0, ..dice.ray() }))
-                },
-                tolerance: ENERGY,
+                    }
+                    put.u32(STACK_LEN as u32);
+                    walk.send(&ray);
+                    put.u32(STACK_LEN as u32);
+                    for _ in 1..STACK_LEN {
+                        walk.pop();
+                    }
+                });
             },
-            Probe {
-                name: "retire",
-                wgsl: "begin_walk();
+            cases: |_| throw(20, |dice| walk_case().ray(&Ray { significance: 1.0, ..dice.ray() })),
+            tolerance: ENERGY,
+        },
+    ]
+}
+
+fn books() -> Vec<Probe> {
+    vec![
+        Probe {
+            name: "next_seed",
+            wgsl: "begin_walk();
+    put_u32(next_seed());
+    put_u32(next_seed());
+    put_walk();",
+            rust: |world, take, put| {
+                world.walk(take, put, |walk, _, put| {
+                    put.u32(walk.next_seed());
+                    put.u32(walk.next_seed());
+                });
+            },
+            cases: |_| {
+                let mut cases = throw(100, |dice| Case::new().u32(dice.word()).u32(0));
+                cases.push(Case::new().u32(u32::MAX).u32(0));
+                cases
+            },
+            tolerance: EXACT,
+        },
+        Probe {
+            name: "retire",
+            wgsl: "begin_walk();
     put_f32(retire(take_ray()));
     put_walk();",
-                rust: |world, take, put| {
-                    world.walk(take, put, |walk, take, put| put.f32(walk.retire(&take.ray())));
-                },
-                cases: |world| rays_to_send(world, 1),
-                tolerance: ENERGY,
+            rust: |world, take, put| {
+                world.walk(take, put, |walk, take, put| put.f32(walk.retire(&take.ray())));
             },
-        ],
-    }
+            cases: |world| rays_to_send(world, 1),
+            tolerance: ENERGY,
+        },
+    ]
 }
 
 fn walk_case() -> Case {
