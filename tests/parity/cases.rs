@@ -73,7 +73,7 @@ pub(crate) struct Case {
 
 impl Case {
     pub(crate) fn new(name: &'static str, document: Document) -> Self {
-        Self { name, document, size: [64, 64], passes: 2 }
+        Self { name, document, size: [48, 48], passes: 2 }
     }
 
     pub(crate) fn settings(&self) -> &TraceSettings {
@@ -103,7 +103,8 @@ pub(crate) fn diamond() -> Case {
 }
 
 pub(crate) fn seven_diamonds() -> Case {
-    Case::new("seven-diamonds", asset("scenes/seven-diamonds.toml"))
+    let case = Case::new("seven-diamonds", asset("scenes/seven-diamonds.toml"));
+    Case { passes: 1, ..case }
 }
 
 pub(crate) fn mesh() -> Case {
@@ -111,7 +112,9 @@ pub(crate) fn mesh() -> Case {
 }
 
 pub(crate) fn prism() -> Case {
-    Case::new("prism", asset("scenes/prism.toml"))
+    let mut document = asset("scenes/prism.toml");
+    document.trace.split_count = 1.5;
+    Case::new("prism", document)
 }
 
 pub(crate) fn nested() -> Case {
@@ -120,4 +123,11 @@ pub(crate) fn nested() -> Case {
 
 pub(crate) fn furnace() -> Case {
     Case::new("furnace", asset("scenes/furnace.toml"))
+}
+
+/// A diamond of little effort on a film of many bytes.
+pub(crate) fn banded() -> Case {
+    let mut document = Document::default();
+    document.trace = TraceSettings { bins: 64, ..document.trace.draft() };
+    Case { size: [128, 72], ..Case::new("banded", document) }
 }

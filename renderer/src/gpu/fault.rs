@@ -39,19 +39,17 @@ impl Graphics {
     /// # Errors
     /// The device is lost.
     pub(super) fn check_loss(&self) -> Result<(), RendererError> {
-        match self.loss() {
-            None => Ok(()),
-            Some(loss) => Err(RendererError::Graphics(format!(
-                "the graphics device {} is lost: {loss}",
-                self.name()
-            ))),
-        }
+        self.loss().map_or(Ok(()), |loss| Err(self.lost(loss)))
     }
 
-    /// Takes the device for lost.
-    pub(super) fn give_up(&self, reason: &str) {
+    /// Takes the device for lost from now on.
+    pub(super) fn lose(&self, reason: &str) -> RendererError {
         // Where the device has said why itself, that stands.
-        let _ = self.shared.loss.set(reason.to_owned());
+        self.lost(self.shared.loss.get_or_init(|| reason.to_owned()))
+    }
+
+    fn lost(&self, loss: &str) -> RendererError {
+        RendererError::Graphics(format!("the graphics device {} is lost: {loss}", self.name()))
     }
 
     fn fault(&self, what: &str, error: &wgpu::Error) -> RendererError {

@@ -8,7 +8,7 @@ mod wait;
 
 use std::sync::{Arc, OnceLock};
 
-pub(crate) use readback::Readback;
+pub(crate) use readback::{Arrival, Readback};
 
 use crate::error::RendererError;
 
@@ -51,6 +51,12 @@ impl Graphics {
         });
         let (device, queue) = (device.clone(), queue.clone());
         Self { shared: Arc::new(Shared { device, queue, info, loss }) }
+    }
+
+    /// Whether both are clones of one. (wgpu takes the first devices of two of its instances for
+    /// equal.)
+    pub(crate) fn is_same(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.shared, &other.shared)
     }
 
     /// The device as its driver names it.

@@ -10,11 +10,13 @@ use crate::error::RendererError;
 /// Most bytes that are fetched at a time, which bounds the memory in between.
 const CHUNK_BYTES: u64 = 32 << 20;
 
-/// A buffer that the processor can read, and the device's word when its content is there.
+/// A buffer that the processor can read.
 pub(crate) struct Readback {
     buffer: wgpu::Buffer,
-    arrival: Option<Receiver<Result<(), wgpu::BufferAsyncError>>>,
 }
+
+/// The device's word, to be waited for, that what was asked for is there.
+pub(crate) struct Arrival(Receiver<Result<(), wgpu::BufferAsyncError>>);
 
 impl Readback {
     /// A buffer of `size` bytes, a multiple of 4.
@@ -30,7 +32,7 @@ impl Readback {
         };
         let buffer =
             graphics.guard("make a buffer to read from", |d| d.create_buffer(&descriptor))?;
-        Ok(Self { buffer, arrival: None })
+        Ok(Self { buffer })
     }
 
     /// The buffer, to copy to before [`request`](Self::request).
@@ -39,13 +41,13 @@ impl Readback {
     }
 
     /// Asks for the content as all that was submitted so far will leave it.
-    pub(crate) fn request(&mut self) {
+    pub(crate) fn request(&self) -> Arrival {
         let (sender, arrival) = channel();
         self.buffer.map_async(MapMode::Read, .., move |result| {
             // Nobody listens any more where the wait was given up.
             let _ = sender.send(result);
         });
-        self.arrival = Some(arrival);
+        Arrival(arrival)
     }
 
     /// Waits for the content that was asked for and lets `read` see it.
@@ -53,21 +55,15 @@ impl Readback {
     /// # Errors
     /// The device fails.
     pub(crate) fn receive<T>(
-        &mut self,
+        &self,
         graphics: &Graphics,
+        arrival: &Arrival,
         read: impl FnOnce(&[u8]) -> T,
     ) -> Result<T, RendererError> {
-        let unreadable = |text: String| {
-            RendererError::Graphics(format!(
-                "the graphics device {} can't hand over its results: {text}",
-                graphics.name()
-            ))
-        };
-        let arrival = self.arrival.take();
-        let arrival = arrival.ok_or_else(|| unreadable("none were asked for".to_owned()))?;
-        graphics.wait(&arrival)?.map_err(|error| unreadable(error.to_string()))?;
+        // Only a device that is going away refuses what it has agreed to.
+        graphics.wait(&arrival.0)?.map_err(|error| graphics.lose(&error.to_string()))?;
         let view = self.buffer.get_mapped_range(..);
-        let view = view.map_err(|error| unreadable(error.to_string()))?;
+        let view = view.map_err(|error| graphics.lose(&error.to_string()))?;
         let seen = read(&view);
         drop(view);
         self.buffer.unmap();
@@ -95,14 +91,15 @@ impl Graphics {
         buffer: &wgpu::Buffer,
         bytes: &mut [u8],
     ) -> Result<(), RendererError> {
-        let mut chunk = Readback::new(self, (bytes.len() as u64).min(CHUNK_BYTES))?;
+        let chunk = Readback::new(self, (bytes.len() as u64).min(CHUNK_BYTES))?;
         for (number, part) in (0..).zip(bytes.chunks_mut(CHUNK_BYTES as usize)) {
             let (start, size) = (number * CHUNK_BYTES, part.len() as u64);
             self.submit("read a buffer", |encoder| {
                 encoder.copy_buffer_to_buffer(buffer, start, chunk.buffer(), 0, size);
             })?;
-            chunk.request();
-            chunk.receive(self, |content| part.copy_from_slice(&content[..part.len()]))?;
+            let arrival = chunk.request();
+            chunk
+                .receive(self, &arrival, |content| part.copy_from_slice(&content[..part.len()]))?;
         }
         Ok(())
     }
@@ -122,7 +119,7 @@ impl Graphics {
         let padded_row = row.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
         let rows_at_a_time = (CHUNK_BYTES as u32 / padded_row).clamp(1, height);
         let mut texels = Vec::with_capacity(row as usize * height as usize);
-        let mut chunk = Readback::new(self, u64::from(padded_row) * u64::from(rows_at_a_time))?;
+        let chunk = Readback::new(self, u64::from(padded_row) * u64::from(rows_at_a_time))?;
         let mut first = 0;
         while first < height {
             let rows = (height - first).min(rows_at_a_time);
@@ -138,8 +135,8 @@ impl Graphics {
                 let target = TexelCopyBufferInfo { buffer: chunk.buffer(), layout };
                 encoder.copy_texture_to_buffer(source, target, size);
             })?;
-            chunk.request();
-            chunk.receive(self, |content| {
+            let arrival = chunk.request();
+            chunk.receive(self, &arrival, |content| {
                 for padded in content.chunks_exact(padded_row as usize).take(rows as usize) {
                     texels.extend_from_slice(&padded[..row as usize]);
                 }

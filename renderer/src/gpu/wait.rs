@@ -31,12 +31,11 @@ impl Graphics {
             self.poll();
             match answer.try_recv() {
                 Ok(value) => return Ok(value),
-                Err(TryRecvError::Disconnected) => self.give_up("it dropped its work"),
-                Err(TryRecvError::Empty) => {}
+                Err(TryRecvError::Disconnected) => return Err(self.lose("it dropped its work")),
+                Err(TryRecvError::Empty) => self.check_loss()?,
             }
-            self.check_loss()?;
             if start.elapsed() > patience {
-                self.give_up(&format!("no answer for {} s", patience.as_secs()));
+                return Err(self.lose(&format!("no answer for {} s", patience.as_secs())));
             }
             thread::sleep(LOOK_INTERVAL);
         }
@@ -48,7 +47,7 @@ impl Graphics {
         // free and the loss has been told.
         let polled = catch_unwind(AssertUnwindSafe(|| self.device().poll(wgpu::PollType::Poll)));
         if polled.is_err() {
-            self.give_up("its driver failed");
+            self.lose("its driver failed");
         }
     }
 }

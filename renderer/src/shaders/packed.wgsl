@@ -100,7 +100,8 @@ struct Frame {
 @group(0) @binding(7) var<storage, read> index_tables: array<f32>;
 @group(0) @binding(8) var<storage, read> spectra: array<f32>;
 @group(0) @binding(9) var<storage, read> discs: array<PackedDisc>;
-@group(1) @binding(0) var<uniform> frame: Frame;
+// No uniform: Mesa's software device compiles a kernel anew for each content of one.
+@group(1) @binding(0) var<storage, read> frame: Frame;
 
 // The outward unit normal.
 fn normal(triangle: PackedTriangle) -> vec3f {

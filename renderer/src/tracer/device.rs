@@ -34,7 +34,7 @@ impl Device for Graphics {
     }
 
     fn is_same(&self, other: &Self) -> bool {
-        self.device() == other.device()
+        Self::is_same(self, other)
     }
 
     fn prepare(&self) -> Result<GpuTracer, RendererError> {

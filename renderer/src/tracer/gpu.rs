@@ -65,6 +65,11 @@ impl GpuTracer {
         Self::with(&self.graphics, self.pipeline.clone(), self.developer.clone())
     }
 
+    /// The device that it traces on.
+    pub fn graphics(&self) -> &Graphics {
+        &self.graphics
+    }
+
     fn with(
         graphics: &Graphics,
         pipeline: WalkPipeline,

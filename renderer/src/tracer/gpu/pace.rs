@@ -14,6 +14,9 @@ const FIRST_BUDGET: u32 = 8;
 const MIN_BUDGET: u32 = 2;
 /// Most rays per walker.
 const MAX_BUDGET: u32 = 1 << 16;
+/// The same where the device is software: Mesa's ends all loops of an invocation when they have
+/// turned 65535 times in all (`LP_MAX_TGSI_LOOP_ITERATIONS`), and a ray takes hundreds of turns.
+const SOFTWARE_MAX_BUDGET: u32 = 32;
 /// Most that the budget grows at a time.
 const MAX_GROWTH: f64 = 2.0;
 
@@ -25,6 +28,7 @@ const MAX_GROWTH: f64 = 2.0;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pace {
     target: Duration,
+    max_budget: u32,
     budget: u32,
     loaded_budget: u32,
 }
@@ -32,8 +36,9 @@ pub(super) struct Pace {
 impl Pace {
     /// Begins carefully.
     pub(super) fn new(is_software: bool) -> Self {
-        let target = if is_software { SOFTWARE_TARGET } else { TARGET };
-        Self { target, budget: FIRST_BUDGET, loaded_budget: FIRST_BUDGET }
+        let (target, max_budget) =
+            if is_software { (SOFTWARE_TARGET, SOFTWARE_MAX_BUDGET) } else { (TARGET, MAX_BUDGET) };
+        Self { target, max_budget, budget: FIRST_BUDGET, loaded_budget: FIRST_BUDGET }
     }
 
     /// All walkers get work again.
@@ -51,7 +56,7 @@ impl Pace {
     pub(super) fn observe(&mut self, budget: u32, elapsed: Duration, is_loaded: bool) {
         let ratio = self.target.as_secs_f64() / elapsed.as_secs_f64().max(1e-9);
         let fitting = (f64::from(budget) * ratio.min(MAX_GROWTH)) as u32;
-        self.budget = fitting.clamp(MIN_BUDGET, MAX_BUDGET);
+        self.budget = fitting.clamp(MIN_BUDGET, self.max_budget);
         // What is too much for some is too much for all.
         if is_loaded || self.budget < self.loaded_budget {
             self.loaded_budget = self.budget;
@@ -91,6 +96,9 @@ mod tests {
         let budgets = run(&mut pace, 60, Duration::ZERO, true);
         assert!(budgets.windows(3).all(|w| w[2] <= 2 * w[0].max(w[1])), "{budgets:?}");
         assert_eq!(pace.budget(), MAX_BUDGET);
+        let mut pace = Pace::new(true);
+        run(&mut pace, 60, Duration::ZERO, true);
+        assert_eq!(pace.budget(), SOFTWARE_MAX_BUDGET);
     }
 
     #[test]

@@ -6,6 +6,7 @@ use wgpu::{
 };
 
 use super::progress::{ACCOUNT_COUNT, ENERGY_UNIT, SUM_COUNT};
+use super::walkers::STACK_BYTES;
 use crate::error::RendererError;
 use crate::gpu::Graphics;
 use crate::shaders::{KERNEL, join};
@@ -78,14 +79,21 @@ fn check(graphics: &Graphics) -> Result<(), RendererError> {
     let limits = graphics.device().limits();
     let storage_buffers = SCENE_BUFFERS + WORK_BUFFERS;
     for (what, has, needed) in [
-        ("storage buffers at once", limits.max_storage_buffers_per_shader_stage, storage_buffers),
-        ("groups of bindings", limits.max_bind_groups, 3),
+        (
+            "storage buffers at once",
+            limits.max_storage_buffers_per_shader_stage.into(),
+            storage_buffers.into(),
+        ),
+        ("groups of bindings", limits.max_bind_groups.into(), 3),
         (
             "invocations in a workgroup",
-            limits.max_compute_invocations_per_workgroup,
-            WORKGROUP_SIZE,
+            limits
+                .max_compute_invocations_per_workgroup
+                .min(limits.max_compute_workgroup_size_x)
+                .into(),
+            WORKGROUP_SIZE.into(),
         ),
-        ("invocations in a row", limits.max_compute_workgroup_size_x, WORKGROUP_SIZE),
+        ("bytes in a buffer", graphics.largest_binding(), u64::from(WORKGROUP_SIZE) * STACK_BYTES),
     ] {
         if has < needed {
             return Err(RendererError::Graphics(format!(
@@ -124,7 +132,7 @@ mod tests {
 
     use super::super::frame::Frame;
     use super::super::progress::{Account, Progress};
-    use super::super::walkers::WALKER_BYTES;
+    use super::super::walkers::{RAY_BYTES, WALKER_BYTES};
     use super::*;
 
     fn module() -> Module {
@@ -189,5 +197,6 @@ mod tests {
         assert_twins!(module, Account, [items, max_segments, sums]);
         assert_twins!(module, Progress, [next_item, accounts]);
         assert_eq!(layout_of(module, "Walker").0 as u64, WALKER_BYTES);
+        assert_eq!(layout_of(module, "Ray").0 as u64, RAY_BYTES);
     }
 }

@@ -13,7 +13,7 @@ use super::progress::Progress;
 use super::scene::GpuScene;
 use super::walkers::Walkers;
 use crate::error::RendererError;
-use crate::gpu::{Graphics, Readback};
+use crate::gpu::{Arrival, Graphics, Readback};
 use crate::statistics::Statistics;
 
 /// Most items of a round, so that the walkers' counter, which runs on past the last, can't run over.
@@ -33,6 +33,7 @@ pub(super) struct Work<'a> {
 /// A submission that the device is at.
 struct Submission {
     readback: Readback,
+    arrival: Arrival,
     budget: u32,
     submitted_at: Instant,
 }
@@ -99,9 +100,12 @@ impl Work<'_> {
                 }
             }
             // What is in flight is waited for in any case, so that it meddles with nothing later.
-            let Some(mut submission) = in_flight.pop_front() else { break };
-            let progress: Progress =
-                submission.readback.receive(self.graphics, bytemuck::pod_read_unaligned)?;
+            let Some(submission) = in_flight.pop_front() else { break };
+            let progress: Progress = submission.readback.receive(
+                self.graphics,
+                &submission.arrival,
+                bytemuck::pod_read_unaligned,
+            )?;
             let elapsed = last_done_at.max(submission.submitted_at).elapsed();
             last_done_at = Instant::now();
             let is_loaded = progress.next_item < frame.item_count;
@@ -118,7 +122,7 @@ impl Work<'_> {
         &self,
         film_group: &BindGroup,
         frame: &Frame,
-        mut readback: Readback,
+        readback: Readback,
     ) -> Result<Submission, RendererError> {
         let submitted_at = Instant::now();
         self.graphics.submit("trace", |encoder| {
@@ -134,7 +138,7 @@ impl Work<'_> {
             let size = readback.buffer().size();
             encoder.copy_buffer_to_buffer(self.walkers.progress(), 0, readback.buffer(), 0, size);
         })?;
-        readback.request();
-        Ok(Submission { readback, budget: frame.budget, submitted_at })
+        let arrival = readback.request();
+        Ok(Submission { readback, arrival, budget: frame.budget, submitted_at })
     }
 }

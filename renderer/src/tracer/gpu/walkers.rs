@@ -11,8 +11,10 @@ use crate::kernel::ray::Ray;
 use crate::kernel::walk::STACK_LEN;
 use crate::settings::TraceSettings;
 
+/// A ray in an array of the shader, where vectors start at multiples of 16 bytes.
+pub(super) const RAY_BYTES: u64 = size_of::<Ray>().next_multiple_of(16) as u64;
 /// Rays that wait for one walker.
-const STACK_BYTES: u64 = (STACK_LEN * size_of::<Ray>()) as u64;
+pub(super) const STACK_BYTES: u64 = STACK_LEN as u64 * RAY_BYTES;
 /// Radiance that one walker has found.
 const RADIANCE_BYTES: u64 = *TraceSettings::BINS.end() as u64 * size_of::<f32>() as u64;
 /// `Walker` of the shader: where its walk stands, its tally, its item.
@@ -35,9 +37,8 @@ impl Walkers {
     /// There is no room even for a few, or the device fails.
     pub(super) fn new(graphics: &Graphics, pipeline: &WalkPipeline) -> Result<Self, RendererError> {
         let fitting = graphics.largest_binding() / STACK_BYTES;
-        let mut groups = wanted_groups(graphics.device_type())
-            .min((fitting / u64::from(WORKGROUP_SIZE)) as u32)
-            .max(1);
+        let mut groups =
+            wanted_groups(graphics.device_type()).min((fitting / u64::from(WORKGROUP_SIZE)) as u32);
         loop {
             let count = groups * WORKGROUP_SIZE;
             match graphics.guard("hold the waiting rays", |d| Self::create(d, pipeline, count)) {

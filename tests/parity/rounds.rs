@@ -1,0 +1,116 @@
+//! Passes in several rounds, cancelled ones, used films and several tracers at once.
+
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::time::{Duration, Instant};
+
+use brilliance_renderer::develop::{LatentImage, Pixels, XyzImage};
+use brilliance_renderer::error::RendererError;
+use brilliance_renderer::settings::DisplaySettings;
+use brilliance_renderer::spectrum::Bins;
+use brilliance_renderer::tracer::{GpuFilm, Tracer};
+
+use super::{TRACER, cases, cpu_film, relative, total, trace};
+
+#[test]
+fn passes_one_by_one_make_the_same_film() {
+    let case = cases::furnace();
+    let scene = TRACER.load(case.packed()).unwrap();
+    let mut film = TRACER.film(case.size, case.bins(), None).unwrap();
+    for pass in 0..case.passes {
+        assert_eq!(film.passes(), pass);
+        let (view, settings) = (case.view(), case.settings());
+        TRACER.trace(&scene, &view, settings, &mut film, 1, &|| false).unwrap();
+    }
+    let (cpu, _) = cpu_film(&case);
+    assert!(relative(total(&cpu), total(&TRACER.read(film).unwrap())) < 1e-4);
+}
+
+/// A film that was cut short after some submissions.
+fn cancelled_film(case: &cases::Case) -> GpuFilm {
+    let scene = TRACER.load(case.packed()).expect("the scene loads");
+    let mut film = TRACER.film(case.size, case.bins(), None).expect("there is room for the film");
+    let asked = AtomicU32::new(0);
+    let cancelled_at = OnceLock::new();
+    let is_cancelled = || {
+        let is_cancelled = asked.fetch_add(1, Ordering::Relaxed) > 4;
+        if is_cancelled {
+            cancelled_at.get_or_init(Instant::now);
+        }
+        is_cancelled
+    };
+    let (view, settings) = (case.view(), case.settings());
+    let result = TRACER.trace(&scene, &view, settings, &mut film, 1000, &is_cancelled);
+    assert!(matches!(result, Err(RendererError::Cancelled)), "{result:?}");
+    assert_eq!(film.passes(), 0);
+    let waited = cancelled_at.get().expect("it was cancelled").elapsed();
+    assert!(waited < Duration::from_secs(1), "{waited:?}");
+    film
+}
+
+#[test]
+fn a_cancelled_film_can_be_used_again() {
+    let case = cases::furnace();
+    let used = cancelled_film(&case);
+    let scene = TRACER.load(case.packed()).unwrap();
+    let mut film = TRACER.film(case.size, case.bins(), Some(used)).unwrap();
+    let (view, settings) = (case.view(), case.settings());
+    let statistics =
+        TRACER.trace(&scene, &view, settings, &mut film, case.passes, &|| false).unwrap();
+    let (cpu, cpu_statistics) = cpu_film(&case);
+    assert_eq!(statistics.camera_rays, cpu_statistics.camera_rays);
+    assert!(relative(total(&cpu), total(&TRACER.read(film).unwrap())) < 1e-4);
+}
+
+#[test]
+fn a_used_film_of_any_size_gives_an_empty_one() {
+    let sizes = [[48, 40], [13, 7], [48, 40], [64, 50]];
+    let mut used = None;
+    for size in sizes {
+        let mut case = cases::furnace();
+        case.size = size;
+        let scene = TRACER.load(case.packed()).unwrap();
+        let mut film = TRACER.film(size, case.bins(), used).unwrap();
+        let (view, settings) = (case.view(), case.settings());
+        TRACER.trace(&scene, &view, settings, &mut film, 1, &|| false).unwrap();
+        used = Some(film);
+    }
+    let film = TRACER.film([64, 50], Bins::new(16), used).unwrap();
+    assert_eq!(film.passes(), 0);
+    let film = TRACER.read(film).unwrap();
+    assert_eq!(film.size(), [64, 50]);
+    assert!(film.sums().iter().all(|&sum| sum == 0.0));
+}
+
+#[test]
+fn an_exposed_film_develops_as_its_copy_in_memory_does() {
+    let case = cases::nested();
+    let (film, _) = trace(&*TRACER, &case);
+    let LatentImage::Graphics(image) = TRACER.expose(&film).unwrap() else {
+        panic!("the image has left the device");
+    };
+    let settings = DisplaySettings::default();
+    let Pixels::Texture(texture) = LatentImage::Graphics(image).develop(&settings).unwrap() else {
+        panic!("the picture has left the device");
+    };
+    let developed = TRACER.graphics().read_texture(&texture).unwrap();
+    let expected = XyzImage::from_film(&TRACER.read(film).unwrap()).develop_rgba8(&settings);
+    assert_eq!(developed.len(), expected.len());
+    let apart = developed.iter().zip(&expected).map(|(a, b)| a.abs_diff(*b)).max();
+    assert!(apart <= Some(1), "{apart:?}");
+}
+
+#[test]
+fn siblings_trace_at_the_same_time() {
+    let sibling = TRACER.sibling().unwrap();
+    let (furnace, mesh) = (cases::furnace(), cases::mesh());
+    std::thread::scope(|scope| {
+        for (tracer, case) in [(&*TRACER, &furnace), (&sibling, &mesh)] {
+            scope.spawn(move || {
+                let (film, _) = trace(tracer, case);
+                let (cpu, _) = cpu_film(case);
+                assert!(relative(total(&cpu), total(&tracer.read(film).unwrap())) < 1e-3);
+            });
+        }
+    });
+}
