@@ -103,7 +103,7 @@ pub struct PackedMaterial {
 }
 
 impl PackedMaterial {
-    /// Whether no light enters it.
+    /// Whether no light enters the material.
     #[inline]
     pub fn is_opaque(&self) -> bool {
         self.index_table == NONE

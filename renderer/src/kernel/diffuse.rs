@@ -53,7 +53,7 @@ pub fn shade_diffuse(walk: &mut Walk<'_>, ray: &Ray, hit: &Hit) {
 
 /// Row of the reflectance of the surface where the ray ends.
 #[inline]
-fn reflectance_at(walk: &Walk<'_>, ray: &Ray, hit: &Hit) -> u32 {
+pub fn reflectance_at(walk: &Walk<'_>, ray: &Ray, hit: &Hit) -> u32 {
     let scene = walk.scene;
     if hit.instance != GROUND {
         return scene.material_of(hit.instance).reflectance;
@@ -65,8 +65,9 @@ fn reflectance_at(walk: &Walk<'_>, ray: &Ray, hit: &Hit) -> u32 {
     scene.ground.reflectance[usize::from(is_odd)]
 }
 
+/// Whether something stands between the surface and the light in `direction`.
 #[inline]
-fn is_shadowed(walk: &mut Walk<'_>, ray: &Ray, hit: &Hit, direction: Vec3) -> bool {
+pub fn is_shadowed(walk: &mut Walk<'_>, ray: &Ray, hit: &Hit, direction: Vec3) -> bool {
     walk.tally.segments += 1;
     let mut shadow_ray = Ray::white(ray.origin, direction);
     shadow_ray.instance = hit.instance;
@@ -77,7 +78,7 @@ fn is_shadowed(walk: &mut Walk<'_>, ray: &Ray, hit: &Hit, direction: Vec3) -> bo
 /// Two unit vectors at right angles to the unit vector `normal` and to each other (Duff et al.
 /// 2017).
 #[inline]
-fn orthonormal_pair(normal: Vec3) -> (Vec3, Vec3) {
+pub fn orthonormal_pair(normal: Vec3) -> (Vec3, Vec3) {
     let sign = if normal.z < 0.0 { -1.0 } else { 1.0 };
     let a = -1.0 / (sign + normal.z);
     let b = normal.x * normal.y * a;
@@ -89,7 +90,7 @@ fn orthonormal_pair(normal: Vec3) -> (Vec3, Vec3) {
 
 /// A direction evenly distributed over the disc's solid angle.
 #[inline]
-fn direction_on_disc(disc: &PackedDisc, [u, v]: [f32; 2]) -> Vec3 {
+pub fn direction_on_disc(disc: &PackedDisc, [u, v]: [f32; 2]) -> Vec3 {
     // 1 − cos of the radius, without the cancellation of the plain difference.
     let height = disc.sin_squared_radius / (1.0 + disc.cos_radius);
     let fall = u * height;
@@ -104,7 +105,7 @@ fn direction_on_disc(disc: &PackedDisc, [u, v]: [f32; 2]) -> Vec3 {
 
 /// A direction about `normal` with a density proportional to its cosine.
 #[inline]
-fn direction_by_cosine(normal: Vec3, [u, v]: [f32; 2]) -> Vec3 {
+pub fn direction_by_cosine(normal: Vec3, [u, v]: [f32; 2]) -> Vec3 {
     let (sin_azimuth, cos_azimuth) = (TAU * v).sin_cos();
     let radius = u.sqrt();
     let (tangent, bitangent) = orthonormal_pair(normal);

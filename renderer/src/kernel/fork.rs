@@ -49,13 +49,13 @@ pub fn fork_rays(walk: &mut Walk<'_>, ray: &Ray, hit: &Hit) {
 
 /// The body that the ray would be in beyond the surface at `hit`, or [`NONE`].
 #[inline]
-fn medium_beyond(ray: &Ray, hit: &Hit) -> u32 {
+pub fn medium_beyond(ray: &Ray, hit: &Hit) -> u32 {
     if ray.medium == hit.instance { ray.enclosing } else { hit.instance }
 }
 
 /// The interface with its normal on the ray's side and the media in the ray's order.
 #[inline]
-fn interface_at(scene: &PackedScene, ray: &Ray, hit: &Hit) -> Interface {
+pub fn interface_at(scene: &PackedScene, ray: &Ray, hit: &Hit) -> Interface {
     Interface {
         normal: if ray.medium == hit.instance { -hit.normal } else { hit.normal },
         medium_from: index_table_of(scene, ray.medium),
@@ -65,14 +65,14 @@ fn interface_at(scene: &PackedScene, ray: &Ray, hit: &Hit) -> Interface {
 
 /// The index table of a body, or [`NONE`] for air.
 #[inline]
-fn index_table_of(scene: &PackedScene, instance: u32) -> u32 {
+pub fn index_table_of(scene: &PackedScene, instance: u32) -> u32 {
     if instance == NONE { NONE } else { scene.material_of(instance).index_table }
 }
 
 /// Divides a ray of which nothing is totally reflected into sub-rays that are fine enough for
 /// the smallest light, and refracts each. `spread` is the one that counts for their number.
 #[inline]
-fn split_and_refract(walk: &mut Walk<'_>, ray: &Ray, spread: Vec3, hit: &Hit, at: &Interface) {
+pub fn split_and_refract(walk: &mut Walk<'_>, ray: &Ray, spread: Vec3, hit: &Hit, at: &Interface) {
     let scene = walk.scene;
     let (low_nm, high_nm) = (ray.lambda_low_nm, ray.lambda_high_nm);
     let mut low_end = refracted_at(scene, ray, at, low_nm);
@@ -103,7 +103,7 @@ fn split_and_refract(walk: &mut Walk<'_>, ray: &Ray, spread: Vec3, hit: &Hit, at
 
 /// Unit direction of the refracted light of `lambda_nm`.
 #[inline]
-fn refracted_at(scene: &PackedScene, ray: &Ray, at: &Interface, lambda_nm: f32) -> Vec3 {
+pub fn refracted_at(scene: &PackedScene, ray: &Ray, at: &Interface, lambda_nm: f32) -> Vec3 {
     let eta = relative_index(scene, at, lambda_nm);
     refract(direction_at(ray, lambda_nm), at.normal, eta)
 }
@@ -111,7 +111,13 @@ fn refracted_at(scene: &PackedScene, ray: &Ray, at: &Interface, lambda_nm: f32) 
 /// Sends on the refracted and the reflected part of one sub-ray, weighted by Fresnel's
 /// coefficients at its central wavelength. `spread` is that of the refracted ray, from its ends.
 #[inline]
-fn refract_and_reflect(walk: &mut Walk<'_>, ray: &Ray, hit: &Hit, at: &Interface, spread: Vec3) {
+pub fn refract_and_reflect(
+    walk: &mut Walk<'_>,
+    ray: &Ray,
+    hit: &Hit,
+    at: &Interface,
+    spread: Vec3,
+) {
     let central_nm = 0.5 * (ray.lambda_low_nm + ray.lambda_high_nm);
     let eta = relative_index(walk.scene, at, central_nm);
     let cos_i = -ray.direction.dot(at.normal);
@@ -142,7 +148,7 @@ fn refract_and_reflect(walk: &mut Walk<'_>, ray: &Ray, hit: &Hit, at: &Interface
 
 /// The whole ray, mirrored.
 #[inline]
-fn reflected_ray(ray: &Ray, hit: &Hit, at: &Interface) -> Ray {
+pub fn reflected_ray(ray: &Ray, hit: &Hit, at: &Interface) -> Ray {
     let mut reflected = *ray;
     reflected.instance = hit.instance;
     reflected.facet = hit.facet;
@@ -157,7 +163,7 @@ fn reflected_ray(ray: &Ray, hit: &Hit, at: &Interface) -> Ray {
 
 /// The material that absorbs inside the body `instance`, or [`NONE`].
 #[inline]
-fn absorber_of(scene: &PackedScene, instance: u32) -> u32 {
+pub fn absorber_of(scene: &PackedScene, instance: u32) -> u32 {
     if instance == NONE || scene.material_of(instance).absorption == NONE {
         return NONE;
     }
@@ -166,7 +172,7 @@ fn absorber_of(scene: &PackedScene, instance: u32) -> u32 {
 
 /// Whether the ray, having run through one coloured material, would enter another.
 #[inline]
-fn meets_second_absorber(scene: &PackedScene, ray: &Ray, hit: &Hit) -> bool {
+pub fn meets_second_absorber(scene: &PackedScene, ray: &Ray, hit: &Hit) -> bool {
     let next = absorber_of(scene, medium_beyond(ray, hit));
     ray.absorber != NONE && next != NONE && next != ray.absorber
 }
@@ -174,7 +180,7 @@ fn meets_second_absorber(scene: &PackedScene, ray: &Ray, hit: &Hit) -> bool {
 /// The ray with the path through its medium begun if that is coloured. A path through another one is
 /// paid for first, by its mean over the interval, which for that is at most one bin wide.
 #[inline]
-fn enter_absorber(walk: &mut Walk<'_>, mut ray: Ray) -> Ray {
+pub fn enter_absorber(walk: &mut Walk<'_>, mut ray: Ray) -> Ray {
     let next = absorber_of(walk.scene, ray.medium);
     if next == NONE || next == ray.absorber {
         return ray;

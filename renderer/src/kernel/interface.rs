@@ -8,7 +8,7 @@ use crate::packed::{INDEX_TABLE_LEN, NONE, PackedScene};
 use crate::spectrum::LAMBDA_MIN_NM;
 
 /// Halvings of an interval in search of the critical wavelength: 350 nm / 2²⁰ is 0.0003 nm.
-pub(crate) const BISECTIONS: u32 = 20;
+pub const BISECTIONS: u32 = 20;
 
 /// An interface as a ray meets it.
 #[derive(Clone, Copy, Debug)]

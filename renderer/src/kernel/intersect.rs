@@ -9,10 +9,10 @@ use crate::kernel::ray::{FAR, GROUND, Hit, Ray, TOUCHING_MM};
 use crate::packed::{CONVEX, Instance, NONE, PackedScene};
 
 /// Top-level nodes that can wait at once: one per level, and the one to look at.
-pub(crate) const TOP_STACK: usize = MAX_DEPTH + 1;
+pub const TOP_STACK: usize = MAX_DEPTH + 1;
 
 /// How far, as a part of the way to the middle of the body, a lost ray is moved inwards.
-pub(crate) const NUDGE: f32 = 1e-5;
+pub const NUDGE: f32 = 1e-5;
 
 /// The nearest surface along `ray`; [`Hit::MISS`] where there is none.
 ///
@@ -55,7 +55,7 @@ pub fn nudge_inwards(scene: &PackedScene, ray: &Ray) -> Ray {
 
 /// The nearest body, or with `any` the first that is found.
 #[inline]
-fn meet_bodies(scene: &PackedScene, ray: &Ray, limit: f32, any: bool) -> Hit {
+pub fn meet_bodies(scene: &PackedScene, ray: &Ray, limit: f32, any: bool) -> Hit {
     let mut nearest = Hit { distance: limit, ..Hit::MISS };
     if scene.top_nodes.is_empty() {
         return Hit::MISS;
@@ -90,7 +90,7 @@ fn meet_bodies(scene: &PackedScene, ray: &Ray, limit: f32, any: bool) -> Hit {
 
 /// Where the ray meets one body, from the side that the ray is on.
 #[inline]
-fn meet_instance(scene: &PackedScene, ray: &Ray, index: u32, limit: f32) -> Hit {
+pub fn meet_instance(scene: &PackedScene, ray: &Ray, index: u32, limit: f32) -> Hit {
     let instance = &scene.instances[index as usize];
     let has_left_it = ray.instance == index;
     let is_inside = ray.medium == index;
@@ -117,8 +117,9 @@ fn meet_instance(scene: &PackedScene, ray: &Ray, index: u32, limit: f32) -> Hit 
     hit
 }
 
+/// The sides from which a body is met.
 #[inline]
-fn sides(scene: &PackedScene, instance: &Instance, is_inside: bool) -> Sides {
+pub fn sides(scene: &PackedScene, instance: &Instance, is_inside: bool) -> Sides {
     if scene.materials[instance.material as usize].is_opaque() {
         Sides::Both
     } else if is_inside {
@@ -128,8 +129,9 @@ fn sides(scene: &PackedScene, instance: &Instance, is_inside: bool) -> Sides {
     }
 }
 
+/// Where the ray meets the ground; a ray that has just left it never does.
 #[inline]
-fn meet_ground(scene: &PackedScene, ray: &Ray) -> Hit {
+pub fn meet_ground(scene: &PackedScene, ray: &Ray) -> Hit {
     if scene.ground.reflectance[0] == NONE || ray.instance == GROUND {
         return Hit::MISS;
     }

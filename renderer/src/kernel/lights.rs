@@ -21,7 +21,7 @@ pub struct Cone {
 /// Whether the ray's fan, of half-width `spread_length`, is sure to miss the cone: the cosine
 /// changes at most as fast as the direction itself.
 #[inline]
-fn is_far_off(ray: &Ray, spread_length: f32, cone: &Cone) -> bool {
+pub fn is_far_off(ray: &Ray, spread_length: f32, cone: &Cone) -> bool {
     ray.direction.dot(cone.center) + spread_length < cone.cos_radius
 }
 
@@ -60,7 +60,7 @@ pub fn overlap_amount(ray: &Ray, cone: &Cone) -> f32 {
 
 /// The quotient, brought into −1..=1 without dividing by what is too small for it.
 #[inline]
-fn cut_at(numerator: f32, denominator: f32) -> f32 {
+pub fn cut_at(numerator: f32, denominator: f32) -> f32 {
     if numerator.abs() < denominator.abs() {
         numerator / denominator
     } else if (numerator < 0.0) == (denominator < 0.0) {

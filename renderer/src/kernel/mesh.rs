@@ -7,13 +7,13 @@ use crate::kernel::ray::{FAR, Hit, Ray};
 use crate::packed::{BvhNode, Instance, NONE, PackedScene, PackedTriangle};
 
 /// Nodes that can wait at once: one per level.
-pub(crate) const NODE_STACK: usize = MAX_DEPTH;
+pub const NODE_STACK: usize = MAX_DEPTH;
 
 /// Enlarges the far end of a slab so that rounding can't skip a box (Ize 2013).
-pub(crate) const SLAB_ROUNDING: f32 = 1.000_000_4;
+pub const SLAB_ROUNDING: f32 = 1.000_000_4;
 
 /// Component of a direction below which it runs along the sides of a box.
-pub(crate) const PARALLEL: f32 = 1e-20;
+pub const PARALLEL: f32 = 1e-20;
 
 /// Which side of a surface may be met.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,14 +57,15 @@ impl BoxRay {
 
 /// Permutation and shear that lay a ray along +z (Woop, Benthin, Wald 2013).
 #[derive(Clone, Copy, Debug)]
-struct Shear {
+pub struct Shear {
     axes: [usize; 3],
     scale: Vec3,
 }
 
 impl Shear {
+    /// For a ray along `direction`, which is not zero.
     #[inline]
-    fn new(direction: Vec3) -> Self {
+    pub fn new(direction: Vec3) -> Self {
         let z = direction.abs().max_position();
         let (mut x, mut y) = ((z + 1) % 3, (z + 2) % 3);
         if direction[z] < 0.0 {
@@ -76,7 +77,7 @@ impl Shear {
 
     /// The point relative to the ray's origin, in the sheared frame.
     #[inline]
-    fn shear_point(&self, point: Vec3) -> Vec3 {
+    pub fn shear_point(&self, point: Vec3) -> Vec3 {
         let [x, y, z] = self.axes;
         Vec3::new(
             point[x] - self.scale.x * point[z],
@@ -89,7 +90,7 @@ impl Shear {
 /// Distance to the triangle, [`FAR`] for a miss. Neighbouring triangles leave no gap: their
 /// common edge is judged by the same arithmetic.
 #[inline]
-fn triangle_distance(origin: Vec3, shear: &Shear, triangle: &PackedTriangle) -> f32 {
+pub fn triangle_distance(origin: Vec3, shear: &Shear, triangle: &PackedTriangle) -> f32 {
     let a = shear.shear_point(triangle.a - origin);
     let b = shear.shear_point(triangle.b - origin);
     let c = shear.shear_point(triangle.c - origin);
@@ -182,8 +183,9 @@ pub fn meet_mesh(
     hit
 }
 
+/// Whether the triangle turns one of `sides` towards the ray.
 #[inline]
-fn faces(triangle: &PackedTriangle, direction: Vec3, sides: Sides) -> bool {
+pub fn faces(triangle: &PackedTriangle, direction: Vec3, sides: Sides) -> bool {
     let along = triangle.normal().dot(direction);
     match sides {
         Sides::Front => along < 0.0,

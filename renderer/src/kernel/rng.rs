@@ -17,10 +17,11 @@ pub fn unit_float(word: u32) -> f32 {
 /// The four-dimensional sequence of Roberts 2018 in fixed point: 2³² over the powers of the root of
 /// x⁵ = x + 1. Two dimensions place the camera ray in its pixel, the other two choose points on
 /// lights; were they the same two, a pixel's edge and a light's shadow would move as one.
-pub(crate) const PIXEL_STEPS: [u32; 2] = [3_679_390_609, 3_152_041_523];
-pub(crate) const LIGHT_STEPS: [u32; 2] = [2_700_274_807, 2_313_257_605];
+pub const PIXEL_STEPS: [u32; 2] = [3_679_390_609, 3_152_041_523];
+/// The steps of the other two dimensions.
+pub const LIGHT_STEPS: [u32; 2] = [2_700_274_807, 2_313_257_605];
 /// ½ in fixed point.
-pub(crate) const MIDDLE: u32 = 1 << 31;
+pub const MIDDLE: u32 = 1 << 31;
 
 /// Two numbers in 0..1 that fill the pixel evenly as the passes go by, the middle first. They are
 /// the same for all pixels: every pass is a clean picture, and only their mean is smooth.

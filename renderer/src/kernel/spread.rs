@@ -35,7 +35,7 @@ pub fn perturb(ray: &Ray, low_nm: f32, high_nm: f32) -> Ray {
 
 /// Position of `lambda_nm` in the interval, from −1 at the low end to 1 at the high end.
 #[inline]
-fn interval_position(ray: &Ray, lambda_nm: f32) -> f32 {
+pub fn interval_position(ray: &Ray, lambda_nm: f32) -> f32 {
     let width_nm = ray.lambda_high_nm - ray.lambda_low_nm;
     if width_nm > 0.0 { 2.0 * (lambda_nm - ray.lambda_low_nm) / width_nm - 1.0 } else { 0.0 }
 }

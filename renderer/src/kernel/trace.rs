@@ -57,19 +57,20 @@ pub fn follow(walk: &mut Walk<'_>) {
 
 /// Whether the ray is inside of a body that it does not meet from there.
 #[inline]
-fn is_lost(ray: &Ray, hit: &Hit) -> bool {
+pub fn is_lost(ray: &Ray, hit: &Hit) -> bool {
     hit.instance == NONE && ray.medium != NONE
 }
 
 /// Whether the ray's medium is the material whose path it counts.
 #[inline]
-fn runs_in_absorber(scene: &PackedScene, ray: &Ray) -> bool {
+pub fn runs_in_absorber(scene: &PackedScene, ray: &Ray) -> bool {
     ray.absorber != NONE
         && ray.medium != NONE
         && scene.instances[ray.medium as usize].material == ray.absorber
 }
 
+/// Whether the ray ends at `hit`.
 #[inline]
-fn meets_opaque(scene: &PackedScene, hit: &Hit) -> bool {
+pub fn meets_opaque(scene: &PackedScene, hit: &Hit) -> bool {
     hit.instance == GROUND || scene.material_of(hit.instance).is_opaque()
 }

@@ -50,6 +50,7 @@ fn reflectance_at(ray: Ray, hit: Hit) -> u32 {
     return select(frame.ground.reflectance[0], frame.ground.reflectance[1], is_odd);
 }
 
+// Whether something stands between the surface and the light in `direction`.
 fn is_shadowed(ray: Ray, hit: Hit, direction: vec3f) -> bool {
     walk.tally.segments += 1u;
     var shadow_ray = white(ray.origin, direction);

@@ -101,6 +101,7 @@ fn meet_instance(ray: Ray, index: u32, limit: f32) -> Hit {
     return hit;
 }
 
+// The sides from which a body is met.
 fn sides(instance: Instance, is_inside: bool) -> u32 {
     if is_opaque(materials[instance.material]) {
         return SIDES_BOTH;
@@ -108,6 +109,7 @@ fn sides(instance: Instance, is_inside: bool) -> u32 {
     return select(SIDES_FRONT, SIDES_BACK, is_inside);
 }
 
+// Where the ray meets the ground; a ray that has just left it never does.
 fn meet_ground(ray: Ray) -> Hit {
     if frame.ground.reflectance[0] == NONE || ray.instance == GROUND {
         return MISS;

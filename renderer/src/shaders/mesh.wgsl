@@ -28,6 +28,7 @@ struct Shear {
     scale: vec3f,
 }
 
+// For a ray along `direction`, which is not zero.
 fn new_shear(direction: vec3f) -> Shear {
     let z = max_position(abs(direction));
     var x = (z + 1u) % 3u;
@@ -141,6 +142,7 @@ fn meet_mesh(instance: Instance, ray: Ray, left_facet: u32, sides: u32, limit: f
     return hit;
 }
 
+// Whether the triangle turns one of `sides` towards the ray.
 fn faces(triangle: PackedTriangle, direction: vec3f, sides: u32) -> bool {
     let along = dot(normal(triangle), direction);
     switch sides {

@@ -1,16 +1,5 @@
 // Following rays through the tree of a camera ray's descendants (the paper's `ray_solid`).
 
-// Follows what waits of a walk until nothing does, or `budget` rays were followed; gives what is
-// left of the budget.
-fn trace(budget: u32) -> u32 {
-    var left = budget;
-    while has_rays() && left > 0u {
-        follow();
-        left--;
-    }
-    return left;
-}
-
 // Takes the next ray that waits to the next surface, or to the lights.
 fn follow() {
     var ray = pop();
@@ -59,6 +48,7 @@ fn runs_in_absorber(ray: Ray) -> bool {
         && instances[ray.medium].material == ray.absorber;
 }
 
+// Whether the ray ends at `hit`.
 fn meets_opaque(hit: Hit) -> bool {
     return hit.instance == GROUND || is_opaque(material_of(hit.instance));
 }

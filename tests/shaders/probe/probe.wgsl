@@ -1,0 +1,185 @@
+// What a probe takes its inputs from and puts its outputs to, word by word.
+
+// How many cases there are, and how many words each has.
+struct Probing {
+    case_count: u32,
+    input_len: u32,
+    output_len: u32,
+}
+
+@group(2) @binding(0) var<uniform> probing: Probing;
+@group(2) @binding(1) var<storage, read> inputs: array<u32>;
+// Each case begins with the number of words that were put.
+@group(2) @binding(2) var<storage, read_write> outputs: array<u32>;
+
+var<private> case_index: u32;
+var<private> taken: u32;
+var<private> written: u32;
+
+fn begin_case(index: u32) -> bool {
+    case_index = index;
+    return index < probing.case_count;
+}
+
+fn end_case() {
+    outputs[case_index * (1u + probing.output_len)] = written;
+}
+
+fn take_u32() -> u32 {
+    let word = inputs[case_index * probing.input_len + taken];
+    taken++;
+    return word;
+}
+
+fn take_f32() -> f32 {
+    return bitcast<f32>(take_u32());
+}
+
+fn take_vec2() -> vec2f {
+    let x = take_f32();
+    return vec2f(x, take_f32());
+}
+
+fn take_vec3() -> vec3f {
+    let x = take_f32();
+    let y = take_f32();
+    return vec3f(x, y, take_f32());
+}
+
+fn take_ray() -> Ray {
+    var ray: Ray;
+    ray.origin = take_vec3();
+    ray.lambda_low_nm = take_f32();
+    ray.direction = take_vec3();
+    ray.lambda_high_nm = take_f32();
+    ray.spread = take_vec3();
+    ray.significance = take_f32();
+    ray.instance = take_u32();
+    ray.facet = take_u32();
+    ray.medium = take_u32();
+    ray.enclosing = take_u32();
+    ray.depth = take_u32();
+    ray.absorber = take_u32();
+    ray.path_mm = take_f32();
+    return ray;
+}
+
+fn take_hit() -> Hit {
+    var hit: Hit;
+    hit.distance = take_f32();
+    hit.instance = take_u32();
+    hit.facet = take_u32();
+    hit.normal = take_vec3();
+    return hit;
+}
+
+fn take_interface() -> Interface {
+    var at: Interface;
+    at.normal = take_vec3();
+    at.medium_from = take_u32();
+    at.medium_to = take_u32();
+    return at;
+}
+
+fn take_cone() -> Cone {
+    var cone: Cone;
+    cone.center = take_vec3();
+    cone.cos_radius = take_f32();
+    cone.sin_squared_radius = take_f32();
+    return cone;
+}
+
+fn put_u32(word: u32) {
+    if written < probing.output_len {
+        outputs[case_index * (1u + probing.output_len) + 1u + written] = word;
+    }
+    written++;
+}
+
+fn put_bool(value: bool) {
+    put_u32(u32(value));
+}
+
+fn put_f32(value: f32) {
+    put_u32(bitcast<u32>(value));
+}
+
+fn put_vec2(v: vec2f) {
+    put_f32(v.x);
+    put_f32(v.y);
+}
+
+fn put_vec3(v: vec3f) {
+    put_f32(v.x);
+    put_f32(v.y);
+    put_f32(v.z);
+}
+
+fn put_ray(ray: Ray) {
+    put_vec3(ray.origin);
+    put_f32(ray.lambda_low_nm);
+    put_vec3(ray.direction);
+    put_f32(ray.lambda_high_nm);
+    put_vec3(ray.spread);
+    put_f32(ray.significance);
+    put_u32(ray.instance);
+    put_u32(ray.facet);
+    put_u32(ray.medium);
+    put_u32(ray.enclosing);
+    put_u32(ray.depth);
+    put_u32(ray.absorber);
+    put_f32(ray.path_mm);
+}
+
+fn put_hit(hit: Hit) {
+    put_f32(hit.distance);
+    put_u32(hit.instance);
+    put_u32(hit.facet);
+    put_vec3(hit.normal);
+}
+
+fn put_interface(at: Interface) {
+    put_vec3(at.normal);
+    put_u32(at.medium_from);
+    put_u32(at.medium_to);
+}
+
+fn put_cone(cone: Cone) {
+    put_vec3(cone.center);
+    put_f32(cone.cos_radius);
+    put_f32(cone.sin_squared_radius);
+}
+
+fn put_material(material: PackedMaterial) {
+    put_u32(material.index_table);
+    put_u32(material.absorption);
+    put_u32(material.reflectance);
+    put_f32(material.least_absorption);
+}
+
+// Each case is a walker of its own.
+fn begin_walk() {
+    walk.walker = case_index;
+    walk.seed = take_u32();
+    walk.pass_index = take_u32();
+    for (var bin = 0u; bin < frame.bin_count; bin++) {
+        radiance[case_index * frame.bin_count + bin] = 0.0;
+    }
+}
+
+// The books, the radiance, and the rays that wait, the last one first.
+fn put_walk() {
+    put_u32(walk.tally.segments);
+    put_f32(walk.tally.returned);
+    put_f32(walk.tally.absorbed);
+    put_f32(walk.tally.pruned);
+    put_f32(walk.tally.cut_off);
+    put_f32(walk.tally.lost);
+    for (var bin = 0u; bin < frame.bin_count; bin++) {
+        put_f32(radiance[case_index * frame.bin_count + bin]);
+    }
+    put_u32(walk.stack_count);
+    while has_rays() {
+        put_ray(pop());
+    }
+}
