@@ -32,6 +32,9 @@ pub(crate) fn assert_in_step(case: &Case, tracer: &GpuTracer) -> (Statistics, St
     assert_eq!(gpu_statistics.camera_rays, cpu_statistics.camera_rays);
     let segments = [cpu_statistics, gpu_statistics].map(|statistics| statistics.segments as f64);
     assert!(relative(segments[0], segments[1]) < 1e-3, "{}: {segments:?}", case.name);
+    let largest =
+        [cpu_statistics, gpu_statistics].map(|it| f64::from(it.max_segments_per_camera_ray));
+    assert!(relative(largest[0], largest[1]) < 0.05, "{}: {largest:?}", case.name);
     let ledger = gpu_statistics.ledger;
     assert!(ledger.imbalance().abs() < 1e-5 * ledger.entered, "{}: {ledger:?}", case.name);
     for (what, cpu, gpu) in [

@@ -1,6 +1,5 @@
 //! From the device's memory to the processor's.
 
-use std::fmt::Display;
 use std::sync::mpsc::{Receiver, channel};
 
 use wgpu::{BufferUsages, Extent3d, MapMode, TexelCopyBufferInfo, TexelCopyBufferLayout};
@@ -61,21 +60,16 @@ impl Readback {
         arrival: &Arrival,
         read: impl FnOnce(&[u8]) -> T,
     ) -> Result<T, RendererError> {
-        let refusal = |error: &dyn Display| {
-            RendererError::Graphics(format!(
-                "the graphics device {} does not hand over what it has made: {error}",
-                graphics.name()
-            ))
-        };
         if let Some(arrived) = graphics.wait(&arrival.0)? {
-            arrived.map_err(|error| refusal(&error))?;
+            arrived.map_err(|error| graphics.refusal(&error))?;
         } else if self.buffer.get_mapped_range(..).is_err() {
             // The callback is gone, and the content is not there: once more.
             let _ = graphics.guard("give up a readback", |_| self.buffer.unmap());
             let arrived = graphics.wait(&self.request().0)?;
-            arrived.transpose().map_err(|error| refusal(&error))?;
+            arrived.transpose().map_err(|error| graphics.refusal(&error))?;
         }
-        let view = self.buffer.get_mapped_range(..).map_err(|error| refusal(&error))?;
+        let view = self.buffer.get_mapped_range(..);
+        let view = view.map_err(|error| graphics.refusal(&error))?;
         let seen = read(&view);
         drop(view);
         self.buffer.unmap();

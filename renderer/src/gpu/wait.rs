@@ -1,5 +1,6 @@
 //! Waiting for a graphics device, but not for ever.
 
+use std::fmt::Display;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, TryRecvError};
 use std::thread;
@@ -15,6 +16,8 @@ const LOOK_INTERVAL: Duration = Duration::from_micros(200);
 const PATIENCE: Duration = Duration::from_secs(5);
 /// Software compiles a kernel when it first runs it, and shares the processor with everyone.
 const SOFTWARE_PATIENCE: Duration = Duration::from_mins(5);
+/// A device that refuses says in this time whether it is lost.
+const LAST_WORDS: Duration = Duration::from_secs(2);
 
 impl Graphics {
     /// Waits for what a callback of the device will send. None where the device drops the callback
@@ -52,6 +55,23 @@ impl Graphics {
             }
             thread::sleep(LOOK_INTERVAL);
         }
+    }
+
+    /// What it means that the device does not hand over what it has made. It mostly is about to be
+    /// lost, but says so only when its last work has ended.
+    pub(super) fn refusal(&self, error: &dyn Display) -> RendererError {
+        let start = Instant::now();
+        while start.elapsed() < LAST_WORDS {
+            self.poll();
+            if let Err(loss) = self.check_loss() {
+                return loss;
+            }
+            thread::sleep(LOOK_INTERVAL);
+        }
+        let name = self.name();
+        RendererError::Graphics(format!(
+            "the graphics device {name} does not hand over what it has made: {error}"
+        ))
     }
 
     /// Lets the device call back about what it has finished.

@@ -1,8 +1,8 @@
 //! The compiled kernel, and what a device must have to run it.
 
 use wgpu::{
-    BindGroupLayout, BindGroupLayoutEntry, BindingType, BufferBindingType, ComputePipeline,
-    ShaderStages,
+    BindGroup, BindGroupLayout, BindGroupLayoutEntry, BindingType, BufferBindingType,
+    ComputePipeline, ShaderStages,
 };
 
 use super::progress::{ACCOUNT_COUNT, ENERGY_UNIT, SUM_COUNT};
@@ -118,6 +118,23 @@ fn layout(device: &wgpu::Device, label: &str, buffers: &[BufferBindingType]) -> 
     });
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
         label: Some(label),
+        entries: &entries.collect::<Vec<_>>(),
+    })
+}
+
+/// Whole buffers in the order of their bindings.
+pub(super) fn bind(
+    device: &wgpu::Device,
+    layout: &BindGroupLayout,
+    buffers: &[&wgpu::Buffer],
+) -> BindGroup {
+    let entries = (0..).zip(buffers).map(|(binding, buffer)| wgpu::BindGroupEntry {
+        binding,
+        resource: buffer.as_entire_binding(),
+    });
+    device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: None,
+        layout,
         entries: &entries.collect::<Vec<_>>(),
     })
 }

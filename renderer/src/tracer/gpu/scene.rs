@@ -5,7 +5,7 @@ use std::sync::Arc;
 use bytemuck::{NoUninit, Zeroable, bytes_of, cast_slice};
 use wgpu::{BindGroup, BufferUsages};
 
-use super::pipeline::WalkPipeline;
+use super::pipeline::{WalkPipeline, bind};
 use crate::error::RendererError;
 use crate::gpu::Graphics;
 use crate::packed::{PackedGround, PackedScene, PackedSky};
@@ -47,15 +47,7 @@ impl GpuScene {
             upload(graphics, "lights", &scene.discs)?,
         ];
         let group = graphics.guard("hold the scene", |device| {
-            let entries = (0..).zip(&buffers).map(|(binding, buffer)| wgpu::BindGroupEntry {
-                binding,
-                resource: buffer.as_entire_binding(),
-            });
-            device.create_bind_group(&wgpu::BindGroupDescriptor {
-                label: Some("scene"),
-                layout: &pipeline.scene_layout,
-                entries: &entries.collect::<Vec<_>>(),
-            })
+            bind(device, &pipeline.scene_layout, &buffers.each_ref())
         })?;
         Ok(Self {
             identity: Arc::new(()),

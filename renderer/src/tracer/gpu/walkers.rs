@@ -3,7 +3,7 @@
 use wgpu::{BindGroup, BufferUsages, DeviceType};
 
 use super::frame::Frame;
-use super::pipeline::{WORKGROUP_SIZE, WalkPipeline};
+use super::pipeline::{WORKGROUP_SIZE, WalkPipeline, bind};
 use super::progress::Progress;
 use crate::error::RendererError;
 use crate::gpu::Graphics;
@@ -68,7 +68,7 @@ impl Walkers {
         let states = buffer("walkers", each * WALKER_BYTES, storage | copy_to);
         let progress = size_of::<Progress>() as u64;
         let progress = buffer("progress", progress, storage | copy_to | BufferUsages::COPY_SRC);
-        let walk_group = group(device, &pipeline.walk_layout, &[&frame, &stack, &radiance]);
+        let walk_group = bind(device, &pipeline.walk_layout, &[&frame, &stack, &radiance]);
         Self { groups, frame, states, progress, walk_group }
     }
 
@@ -99,7 +99,7 @@ impl Walkers {
         pipeline: &WalkPipeline,
         film: &wgpu::Buffer,
     ) -> BindGroup {
-        group(device, &pipeline.film_layout, &[film, &self.states, &self.progress])
+        bind(device, &pipeline.film_layout, &[film, &self.states, &self.progress])
     }
 
     /// Makes the walkers forget all that they were at, and the counts with it.
@@ -126,20 +126,4 @@ fn wanted_groups(device_type: DeviceType) -> u32 {
         DeviceType::IntegratedGpu | DeviceType::VirtualGpu | DeviceType::Other => 128,
         DeviceType::Cpu => 16,
     }
-}
-
-fn group(
-    device: &wgpu::Device,
-    layout: &wgpu::BindGroupLayout,
-    buffers: &[&wgpu::Buffer],
-) -> BindGroup {
-    let entries = (0..).zip(buffers).map(|(binding, buffer)| wgpu::BindGroupEntry {
-        binding,
-        resource: buffer.as_entire_binding(),
-    });
-    device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("walkers"),
-        layout,
-        entries: &entries.collect::<Vec<_>>(),
-    })
 }
