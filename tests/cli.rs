@@ -58,6 +58,8 @@ fn render_by(backend: &str, folder: &Path, hides_devices: bool) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_brilliance"));
     command.args(arguments.split_whitespace()).args(["--backend", backend]);
     command.current_dir(folder).env_remove("RUST_LOG");
+    // Graphics drivers of Linux look for a window system and complain where this is unset.
+    command.env("XDG_RUNTIME_DIR", folder);
     if hides_devices {
         // An interface that this system does not have.
         let absent = if cfg!(target_vendor = "apple") { "dx12" } else { "metal" };
@@ -279,6 +281,23 @@ fn without_a_graphics_device_the_processor_traces_unless_one_was_asked_for() {
     let output = render_by("gpu", folder.path(), true);
     assert_failed(&output, &["no graphics device", "driver", "CPU"]);
     assert!(!folder.path().join("stone.png").exists());
+}
+
+/// A machine without any device fails the test rather than passing it unseen.
+#[test]
+fn a_graphics_device_traces_where_it_was_asked_for_and_is_named() {
+    let folder = folder_with_scene();
+    let output = render_by("gpu", folder.path(), false);
+    let text = stderr(&output);
+    assert_eq!(output.status.code(), Some(0), "{text}");
+    let stats = statistics(folder.path());
+    assert_eq!(stats["backend"], "gpu", "{text}");
+    assert_eq!(stats["threads"], Value::Null);
+    let device = stats["device"].as_str().unwrap();
+    assert!(stdout(&output).contains(device), "{}", stdout(&output));
+    let is_software = stdout(&output).contains("GPU in software");
+    assert_eq!(text.lines().count(), usize::from(is_software), "{text}");
+    assert_eq!(text.contains(device) && text.contains("slower"), is_software, "{text}");
 }
 
 #[test]

@@ -11,7 +11,7 @@ use std::time::Instant;
 use brilliance_renderer::camera::Camera;
 use brilliance_renderer::scene::Scene;
 use brilliance_renderer::scene_file::Document;
-use brilliance_renderer::session::{GraphicsState, RenderRequest, Session};
+use brilliance_renderer::session::{RenderRequest, Session};
 use eframe::egui::{self, CentralPanel, Color32, Ui, ViewportCommand};
 
 use crate::bounds::Bounds;
@@ -71,8 +71,8 @@ pub struct App {
     export: ExportWindow,
     help: Option<Help>,
     title: String,
-    /// How the session and its graphics device got on when that was last looked at.
-    graphics_state: GraphicsState,
+    /// Serial of the last failure of a graphics device that the user was told of.
+    failure_told: u64,
     first_picture: FirstPicture,
 }
 
@@ -90,7 +90,7 @@ impl App {
         };
         let scene = Arc::new(editor.document.scene.clone());
         Self {
-            graphics_state: live.session().graphics_state(),
+            failure_told: 0,
             bounds: Bounds::of(&scene),
             orbit: Orbit::from_camera(&scene.camera),
             scene,

@@ -13,6 +13,7 @@ mod watched;
 use std::cell::RefCell;
 use std::rc::Rc;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use anyhow::{anyhow, bail};
@@ -80,7 +81,7 @@ pub fn open(opening: Opening, backend: Backend, started: Instant) -> anyhow::Res
 fn show(event_loop: &mut EventLoop<UserEvent>, app: &Rc<RefCell<App>>) -> anyhow::Result<Ending> {
     let fate = Rc::<Fate>::default();
     let (shown, told) = (Rc::clone(app), Rc::clone(&fate));
-    let options = options(&app.borrow());
+    let options = options(&app.borrow(), Arc::clone(fate.surface_moved()));
     let creator: eframe::AppCreator<'_> =
         Box::new(move |creation| Ok(Box::new(Shell::open(creation, shown, told)?)));
     let window = eframe::create_native("Brilliance", options, creator, event_loop);
@@ -114,11 +115,11 @@ fn begin_tracing(opening: &Opening, backend: Backend) -> Result<Live, RendererEr
     Ok(live)
 }
 
-fn options(app: &App) -> NativeOptions {
+fn options(app: &App, surface_moved: Arc<AtomicBool>) -> NativeOptions {
     NativeOptions {
         viewport: geometry::viewport(app.window().as_ref()),
         renderer: Renderer::Wgpu,
-        wgpu_options: graphics(),
+        wgpu_options: graphics(surface_moved),
         // The picture's pixels are shown as they are.
         dithering: false,
         ..NativeOptions::default()
@@ -126,8 +127,8 @@ fn options(app: &App) -> NativeOptions {
 }
 
 /// Asks the graphics driver for no more than it has, so that small and software ones do, and for
-/// all of that, so that the device can trace too.
-fn graphics() -> WgpuConfiguration {
+/// all of that, so that the device can trace too. What happens to the window's surface is noted.
+fn graphics(surface_moved: Arc<AtomicBool>) -> WgpuConfiguration {
     let setup = WgpuSetupCreateNew {
         device_descriptor: Arc::new(|adapter| wgpu::DeviceDescriptor {
             label: Some("window"),
@@ -136,5 +137,14 @@ fn graphics() -> WgpuConfiguration {
         }),
         ..WgpuSetupCreateNew::without_display_handle()
     };
-    WgpuConfiguration { wgpu_setup: WgpuSetup::CreateNew(setup), ..WgpuConfiguration::default() }
+    let default = WgpuConfiguration::default();
+    let answer = default.on_surface_status;
+    WgpuConfiguration {
+        wgpu_setup: WgpuSetup::CreateNew(setup),
+        on_surface_status: Arc::new(move |status| {
+            surface_moved.store(true, Ordering::Relaxed);
+            answer(status)
+        }),
+        ..default
+    }
 }

@@ -141,3 +141,14 @@ fn without_a_file_dialog_a_path_can_be_typed() {
     wait(&mut harness, "the notice", |app| !app.notices().list().is_empty());
     assert!(harness.state().notices().list()[0].text.contains("/no/such/stone.glb"));
 }
+
+#[test]
+fn what_is_not_saved_is_rescued_where_the_program_has_to_end() {
+    let mut harness = harness();
+    assert!(harness.state().rescue().is_none(), "nothing was edited");
+    set(&mut harness, "Crown angle", 30.0);
+    let path = harness.state().rescue().expect("an edit").expect("a file");
+    let rescued = Document::open(&path).expect("a scene");
+    std::fs::remove_file(&path).expect("the file goes");
+    assert_eq!(rescued.scene.objects, harness.state().document().scene.objects);
+}

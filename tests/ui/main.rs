@@ -2,6 +2,7 @@
 
 mod export;
 mod files;
+mod graphics;
 mod panel;
 mod picture;
 mod window;

@@ -28,7 +28,7 @@ impl App {
             Command::Turn(delta) => self.orbit.rotate(delta, &self.bounds),
             Command::Zoom(factor) => self.orbit.zoom(factor, [0.0, 0.0], &self.bounds),
             Command::TraceWith(backend) => self.live.set_backend(backend),
-            Command::RetryGraphics => self.live.retry_graphics(),
+            Command::RetryGraphics => self.retry_graphics(),
             Command::TogglePanel => self.panel_shown = !self.panel_shown,
             Command::ShowKeys => self.help = Some(Help::Keys),
             Command::Dismiss => {

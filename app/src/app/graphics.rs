@@ -8,61 +8,71 @@ use super::App;
 use crate::tracers::Tracers;
 
 const FAILED: &str = "The graphics device failed";
+const REFUSED: &str = "Too much for the graphics device";
 const LOST: &str = "The graphics device was lost";
 
 impl App {
     /// Lets the session trace on the device of the window.
     pub fn offer_graphics(&mut self, graphics: Graphics) {
         self.live.offer_graphics(graphics);
-        self.graphics_state = self.session().graphics_state();
     }
 
-    /// Takes over that the device of the window before this one is gone, as `reason` says. Since
-    /// tracing may have been what it did not survive, the processor traces until it is told
-    /// otherwise.
+    /// Takes over that the device of the window is gone, as `reason` says. Since tracing may be
+    /// what it did not survive, the processor traces until it is told otherwise.
     pub fn graphics_lost(&mut self, reason: &str) {
         self.live.set_backend(Backend::Cpu);
-        self.notices.error(
-            LOST,
-            format!(
-                "The window had to be opened again; nothing that you edited is lost. The processor \
-                 traces now. View \u{203a} Trace with goes back to the graphics device.\n{reason}"
-            ),
+        self.update_request();
+        let text = format!(
+            "The window had to be opened again; nothing that you edited is lost. The processor \
+             traces now; View \u{203a} Trace with goes back to the graphics device.\n\
+             Reason: {reason}."
         );
+        self.notices.error(LOST, text);
+        // What the session may have said of it is said with that.
+        self.failure_told = self.session().graphics_failure().map_or(0, |failure| failure.serial);
+        self.notices.withdraw(FAILED);
     }
 
     /// What the menu and the status line say of the tracers.
     pub(super) fn tracers(&self) -> Tracers {
         let session = self.session();
+        let device = session.graphics().map(|graphics| TracerName::Gpu {
+            device: graphics.name().to_owned(),
+            is_software: graphics.is_software(),
+        });
         Tracers {
             chosen: self.live.backend(),
             processor: TracerName::Cpu { threads: session.threads() },
-            device: session.graphics().map(|graphics| TracerName::Gpu {
-                device: graphics.name().to_owned(),
-                is_software: graphics.is_software(),
-            }),
+            device,
             state: session.graphics_state(),
+            refusal: session.graphics_failure().map(|failure| failure.reason),
             in_use: session.progress().tracer,
         }
     }
 
-    /// Says once when the graphics device fails, and takes it back when it does no longer.
+    /// Says once why the processor took over from the graphics device.
     pub(super) fn poll_graphics(&mut self) {
-        let state = self.session().graphics_state();
-        if state == self.graphics_state {
+        let Some(failure) = self.session().graphics_failure() else { return };
+        if failure.serial == self.failure_told {
             return;
         }
-        if let GraphicsState::Failed(reason) = &state {
-            self.notices.error(
-                FAILED,
-                format!(
-                    "The processor goes on tracing. View \u{203a} Trace with \u{203a} Try again \
-                     gives the device another chance.\n{reason}"
-                ),
-            );
-        } else {
-            self.notices.withdraw(FAILED);
-        }
-        self.graphics_state = state;
+        self.failure_told = failure.serial;
+        let title = match self.session().graphics_state() {
+            GraphicsState::Failed(_) => FAILED,
+            _ => REFUSED,
+        };
+        let text = format!(
+            "The processor goes on tracing. View \u{203a} Trace with \u{203a} Try again gives the \
+             device another chance.\nReason: {}.",
+            failure.reason
+        );
+        self.notices.error(title, text);
+    }
+
+    /// Gives a graphics device that failed another chance.
+    pub(super) fn retry_graphics(&mut self) {
+        self.notices.withdraw(FAILED);
+        self.notices.withdraw(REFUSED);
+        self.live.retry_graphics();
     }
 }

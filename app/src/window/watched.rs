@@ -2,6 +2,7 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::rc::Rc;
+use std::sync::atomic::Ordering;
 
 use eframe::{EframeWinitApplication, UserEvent};
 use winit::application::ApplicationHandler;
@@ -31,6 +32,8 @@ impl<'a> Watched<'a> {
         event: impl FnOnce(&mut EframeWinitApplication<'a>),
     ) {
         if !self.fate.is_lost() {
+            let fate = Rc::clone(&self.fate);
+            let _pause = fate.pause_renderer();
             self.attempt(event);
         }
         if self.fate.is_lost() {
@@ -41,7 +44,7 @@ impl<'a> Watched<'a> {
     fn attempt(&mut self, event: impl FnOnce(&mut EframeWinitApplication<'a>)) {
         let attempted = catch_unwind(AssertUnwindSafe(|| event(&mut self.window)));
         if let Err(panic) = attempted
-            && !self.fate.is_lost()
+            && !self.fate.turns_out_lost()
         {
             resume_unwind(panic);
         }
@@ -62,6 +65,9 @@ impl ApplicationHandler<UserEvent> for Watched<'_> {
     }
 
     fn window_event(&mut self, event_loop: &ActiveEventLoop, id: WindowId, event: WindowEvent) {
+        if matches!(event, WindowEvent::Resized(_) | WindowEvent::ScaleFactorChanged { .. }) {
+            self.fate.surface_moved().store(true, Ordering::Relaxed);
+        }
         self.hand_on(event_loop, |window| window.window_event(event_loop, id, event));
     }
 

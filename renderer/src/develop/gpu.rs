@@ -76,7 +76,7 @@ impl GpuDeveloper {
             pass.dispatch_workgroups(groups[0], groups[1], 1);
         }
         drop(pass);
-        self.graphics.queue().submit([encoder.finish()]);
+        self.graphics.hand_over(encoder.finish());
     }
 
     /// A buffer that holds `content`.

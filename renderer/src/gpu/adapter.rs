@@ -1,6 +1,6 @@
 //! The choice among a machine's graphics devices.
 
-use wgpu::{Adapter, AdapterInfo, Backend, Backends, DeviceType, DownlevelFlags};
+use wgpu::{Adapter, AdapterInfo, Backends, DeviceType, DownlevelFlags};
 
 use crate::error::RendererError;
 
@@ -8,15 +8,10 @@ use crate::error::RendererError;
 pub(super) fn open(
     allow_software: bool,
 ) -> Result<(wgpu::Device, wgpu::Queue, AdapterInfo), RendererError> {
-    let descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
-    let instance = wgpu::Instance::new(descriptor);
-    let mut adapters = pollster::block_on(instance.enumerate_adapters(Backends::all()));
-    adapters.retain(computes);
-    adapters.sort_by_key(|adapter| rank(&adapter.get_info()));
     let mut fault = "no graphics device was found; install its driver (Vulkan, Metal or \
                      DirectX 12), or trace on the CPU"
         .to_owned();
-    for adapter in adapters {
+    for adapter in adapters() {
         let info = adapter.get_info();
         if info.device_type == DeviceType::Cpu && !allow_software {
             fault = format!(
@@ -45,19 +40,34 @@ pub(super) fn open(
     Err(RendererError::Graphics(fault))
 }
 
+/// The adapters that can compute, the best first. Others than those of the modern interfaces are
+/// looked for only where these have none: to ask OpenGL takes as long again as all the rest.
+fn adapters() -> Vec<Adapter> {
+    for backends in [Backends::PRIMARY, Backends::SECONDARY] {
+        let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
+        descriptor.backends &= backends;
+        let instance = wgpu::Instance::new(descriptor);
+        let mut adapters = pollster::block_on(instance.enumerate_adapters(backends));
+        adapters.retain(computes);
+        if !adapters.is_empty() {
+            adapters.sort_by_key(|adapter| rank(&adapter.get_info()));
+            return adapters;
+        }
+    }
+    Vec::new()
+}
+
 fn computes(adapter: &Adapter) -> bool {
     adapter.get_downlevel_capabilities().flags.contains(DownlevelFlags::COMPUTE_SHADERS)
 }
 
-/// Least for the device to prefer. One device may be there through several interfaces; OpenGL is
-/// the last to take.
-fn rank(info: &AdapterInfo) -> (u32, bool) {
-    let kind = match info.device_type {
+/// Least for the device to prefer.
+fn rank(info: &AdapterInfo) -> u32 {
+    match info.device_type {
         DeviceType::DiscreteGpu => 0,
         DeviceType::IntegratedGpu => 1,
         DeviceType::VirtualGpu => 2,
         DeviceType::Other => 3,
         DeviceType::Cpu => 4,
-    };
-    (kind, info.backend == Backend::Gl)
+    }
 }

@@ -3,10 +3,11 @@
 
 mod adapter;
 mod fault;
+mod gate;
 mod readback;
 mod wait;
 
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock};
 
 pub(crate) use readback::{Arrival, Readback};
 
@@ -23,6 +24,8 @@ struct Shared {
     device: wgpu::Device,
     queue: wgpu::Queue,
     info: wgpu::AdapterInfo,
+    /// Held by who hands work to the device.
+    gate: Mutex<()>,
     /// Why the device is gone; unset while it works.
     loss: Arc<OnceLock<String>>,
 }
@@ -50,7 +53,7 @@ impl Graphics {
             }
         });
         let (device, queue) = (device.clone(), queue.clone());
-        Self { shared: Arc::new(Shared { device, queue, info, loss }) }
+        Self { shared: Arc::new(Shared { device, queue, info, gate: Mutex::new(()), loss }) }
     }
 
     /// Whether both are clones of one. (wgpu takes the first devices of two of its instances for
@@ -104,7 +107,7 @@ impl Graphics {
             let mut encoder =
                 device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
             encode(&mut encoder);
-            self.queue().submit([encoder.finish()]);
+            self.hand_over(encoder.finish());
         })
     }
 

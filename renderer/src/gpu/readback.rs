@@ -60,8 +60,10 @@ impl Readback {
         arrival: &Arrival,
         read: impl FnOnce(&[u8]) -> T,
     ) -> Result<T, RendererError> {
-        // Only a device that is going away refuses what it has agreed to.
-        graphics.wait(&arrival.0)?.map_err(|error| graphics.lose(&error.to_string()))?;
+        if let Some(arrived) = graphics.wait(&arrival.0)? {
+            // Only a device that is going away refuses what it has agreed to.
+            arrived.map_err(|error| graphics.lose(&error.to_string()))?;
+        }
         let view = self.buffer.get_mapped_range(..);
         let view = view.map_err(|error| graphics.lose(&error.to_string()))?;
         let seen = read(&view);

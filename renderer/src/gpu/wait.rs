@@ -17,21 +17,22 @@ const PATIENCE: Duration = Duration::from_secs(2);
 const SOFTWARE_PATIENCE: Duration = Duration::from_mins(5);
 
 impl Graphics {
-    /// Waits for what a callback of the device will send.
+    /// Waits for what a callback of the device will send. None where the device drops the callback
+    /// uncalled, as wgpu does with those of finished work when a surface can't be configured.
     ///
     /// wgpu's own wait would hold a lock all the while that presenting a window needs; looking
     /// now and then holds it for a moment.
     ///
     /// # Errors
     /// The device is lost, or doesn't answer and is taken for lost.
-    pub(crate) fn wait<T>(&self, answer: &Receiver<T>) -> Result<T, RendererError> {
+    pub(crate) fn wait<T>(&self, answer: &Receiver<T>) -> Result<Option<T>, RendererError> {
         let start = Instant::now();
         let patience = if self.is_software() { SOFTWARE_PATIENCE } else { PATIENCE };
         loop {
             self.poll();
             match answer.try_recv() {
-                Ok(value) => return Ok(value),
-                Err(TryRecvError::Disconnected) => return Err(self.lose("it dropped its work")),
+                Ok(value) => return Ok(Some(value)),
+                Err(TryRecvError::Disconnected) => return self.check_loss().map(|()| None),
                 Err(TryRecvError::Empty) => self.check_loss()?,
             }
             if start.elapsed() > patience {
