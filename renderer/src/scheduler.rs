@@ -1,5 +1,10 @@
 //! What to trace next: a pure value machine without clocks or threads.
 
+mod round;
+
+pub use round::Machine;
+pub(crate) use round::round;
+
 /// A round of tracing: passes between which nothing is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Work {
@@ -30,6 +35,7 @@ pub enum Effort {
 /// passes of full effort accumulate. Where those fit the budget themselves there is no draft.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scheduler {
+    machine: Machine,
     draft: Cost,
     full: Cost,
     pixels: u64,
@@ -78,27 +84,16 @@ impl Scheduler {
     pub const ROUND_SECONDS: f64 = 0.1;
     /// Coarsest draft: pixels of 32 × 32.
     pub const MAX_DIVISOR: u32 = 32;
-    /// Costs of a full pass per pixel before the first is measured, in seconds.
-    const PROCESSOR_GUESS: f64 = 1e-5;
-    const GRAPHICS_CARD_GUESS: f64 = 1e-8;
-    /// What a draft is guessed to cost of that.
+    /// What a draft is guessed to cost of a full pass.
     const DRAFT_SHARE: f64 = 0.1;
 
-    /// Nothing to do yet, for a tracer on the processor.
-    pub fn for_processor() -> Self {
-        Self::guessing(Self::PROCESSOR_GUESS)
-    }
-
-    /// Nothing to do yet, for a graphics card. It takes over from the processor, whose picture
-    /// should stay until there is one of full resolution.
-    pub fn for_graphics_card() -> Self {
-        Self::guessing(Self::GRAPHICS_CARD_GUESS)
-    }
-
-    fn guessing(full_seconds_per_pixel: f64) -> Self {
+    /// Nothing to do yet.
+    pub fn new(machine: Machine) -> Self {
+        let guess = machine.guess();
         Self {
-            draft: Cost::guess(Self::DRAFT_SHARE * full_seconds_per_pixel),
-            full: Cost::guess(full_seconds_per_pixel),
+            machine,
+            draft: Cost::guess(Self::DRAFT_SHARE * guess),
+            full: Cost::guess(guess),
             pixels: 0,
             pass_limit: 0,
             stage: Stage::Accumulate { passes: 0 },
@@ -133,11 +128,16 @@ impl Scheduler {
             Stage::Accumulate { passes } if passes < self.pass_limit => Some(Work {
                 divisor: 1,
                 effort: Effort::Full,
-                passes: round(self.full.seconds * self.pixels as f64, passes, self.pass_limit),
+                passes: self.round(passes),
                 begins_film: passes == 0,
             }),
             Stage::Accumulate { .. } => None,
         }
+    }
+
+    fn round(&self, done: u32) -> u32 {
+        let pass_seconds = self.full.seconds * self.pixels as f64;
+        round(self.machine, pass_seconds, done, self.pass_limit)
     }
 
     /// Takes note that `work`, which [`next`](Self::next) gave, was completed in `seconds`.
@@ -154,20 +154,6 @@ impl Scheduler {
             Stage::Accumulate { passes } => Stage::Accumulate { passes: passes + work.passes },
         };
     }
-}
-
-/// Number of passes to add in one round to a film of `done` passes that wants `limit`, where a pass
-/// takes `pass_seconds`; at least 1.
-///
-/// Passes that take longer than the publish interval come one by one. A round at most doubles the
-/// film, so that a new picture shows its first pass at once and gets better at every look.
-pub(crate) fn round(pass_seconds: f64, done: u32, limit: u32) -> u32 {
-    if pass_seconds > Scheduler::PUBLISH_SECONDS {
-        return 1;
-    }
-    let most = done.min(limit.saturating_sub(done)).max(1);
-    // A cost of 0 gives an infinity, which the cast makes the largest number.
-    ((Scheduler::ROUND_SECONDS / pass_seconds) as u32).clamp(1, most)
 }
 
 #[cfg(test)]
@@ -194,7 +180,7 @@ mod tests {
 
     #[test]
     fn drafts_get_finer_until_full_effort_accumulates() {
-        let mut scheduler = Scheduler::for_processor();
+        let mut scheduler = Scheduler::new(Machine::Processor);
         scheduler.restart(SIZE, 3);
         let works = run(&mut scheduler, 1e-6, 1e-5);
         let (drafts, passes) = works.split_at(works.len() - 3);
@@ -208,7 +194,7 @@ mod tests {
 
     #[test]
     fn cheap_pictures_need_no_draft() {
-        let mut scheduler = Scheduler::for_processor();
+        let mut scheduler = Scheduler::new(Machine::Processor);
         scheduler.restart([40, 40], 2);
         assert_eq!(scheduler.next().map(|work| work.effort), Some(Effort::Full));
     }
@@ -216,7 +202,7 @@ mod tests {
     #[test]
     fn the_first_pass_after_a_change_keeps_to_the_preview_budget() {
         for draft in [1e-8, 1e-7, 1e-6, 4e-6] {
-            let mut scheduler = Scheduler::for_processor();
+            let mut scheduler = Scheduler::new(Machine::Processor);
             scheduler.restart(SIZE, 20);
             run(&mut scheduler, draft, 10.0 * draft);
             scheduler.restart(SIZE, 20);
@@ -228,7 +214,7 @@ mod tests {
 
     #[test]
     fn a_higher_limit_carries_on() {
-        let mut scheduler = Scheduler::for_processor();
+        let mut scheduler = Scheduler::new(Machine::Processor);
         scheduler.restart(SIZE, 2);
         run(&mut scheduler, 1e-6, 1e-5);
         scheduler.limit_passes(4);
@@ -242,7 +228,7 @@ mod tests {
 
     #[test]
     fn fast_passes_come_in_rounds_that_double_the_film_up_to_a_tenth_of_a_second() {
-        let mut scheduler = Scheduler::for_processor();
+        let mut scheduler = Scheduler::new(Machine::Processor);
         scheduler.restart(SIZE, 1000);
         run(&mut scheduler, FAST, FAST);
         scheduler.restart(SIZE, 1000);
@@ -257,7 +243,7 @@ mod tests {
     #[test]
     fn passes_longer_than_the_publish_interval_come_one_by_one() {
         for full in [0.034 / PIXELS, 1.0 / PIXELS] {
-            let mut scheduler = Scheduler::for_processor();
+            let mut scheduler = Scheduler::new(Machine::Processor);
             scheduler.restart(SIZE, 12);
             let works = run(&mut scheduler, full / 4.0, full);
             assert!(works.iter().all(|work| work.passes == 1), "{works:?}");
@@ -267,15 +253,29 @@ mod tests {
     #[test]
     fn a_graphics_card_begins_at_full_resolution() {
         for size in [SIZE, [3840, 2160]] {
-            let mut scheduler = Scheduler::for_graphics_card();
+            let mut scheduler = Scheduler::new(Machine::GraphicsCard);
             scheduler.restart(size, 1);
             assert_eq!(scheduler.next().map(|work| work.divisor), Some(1));
         }
     }
 
     #[test]
+    fn a_graphics_card_finds_out_that_rounds_hide_what_a_single_pass_waits_for() {
+        let mut scheduler = Scheduler::new(Machine::GraphicsCard);
+        scheduler.restart(SIZE, 500);
+        let mut rounds = Vec::new();
+        while let Some(work) = scheduler.next() {
+            rounds.push(work.passes);
+            // Each round waits for its heaviest pixel, whatever the number of passes.
+            scheduler.complete(work, 0.06 + 0.002 * f64::from(work.passes));
+        }
+        // A tenth of a second has room for 20 passes and the wait.
+        assert!(rounds[rounds.len() - 2] >= 15, "{rounds:?}");
+    }
+
+    #[test]
     fn the_first_measurement_replaces_the_guess() {
-        let mut scheduler = Scheduler::for_processor();
+        let mut scheduler = Scheduler::new(Machine::Processor);
         scheduler.restart(SIZE, 1);
         run(&mut scheduler, FAST, FAST);
         scheduler.restart(SIZE, 1);
@@ -283,17 +283,8 @@ mod tests {
     }
 
     #[test]
-    fn a_round_is_whole_whatever_a_pass_costs() {
-        for pass_seconds in [0.0, 1e-30, 0.033, f64::INFINITY] {
-            assert_eq!(round(pass_seconds, 0, 9), 1);
-            assert!((1..=4).contains(&round(pass_seconds, 5, 9)), "{pass_seconds}");
-            assert_eq!(round(pass_seconds, 9, 9), 1);
-        }
-    }
-
-    #[test]
     fn an_empty_picture_or_no_passes_is_no_work() {
-        let mut scheduler = Scheduler::for_processor();
+        let mut scheduler = Scheduler::new(Machine::Processor);
         scheduler.restart([0, 800], 10);
         assert_eq!(scheduler.next(), None);
         scheduler.restart([100, 100], 0);

@@ -12,7 +12,7 @@ use crate::film::Film;
 use crate::gpu::Graphics;
 use crate::image_file;
 use crate::packed::PackedScene;
-use crate::scheduler;
+use crate::scheduler::{self, Machine};
 use crate::session::RenderRequest;
 use crate::settings::DisplaySettings;
 use crate::spectrum::Bins;
@@ -167,10 +167,11 @@ impl Order<'_> {
         let mut statistics = Statistics::default();
         let mut passes = 0;
         let mut pass_seconds = f64::INFINITY;
+        let machine = Machine::from(&tracer.name());
         let started = Instant::now();
         self.began.get_or_init(|| started);
         while passes < *pass_limit && (passes == 0 || !self.is_over()) {
-            let round = self.round(pass_seconds, passes);
+            let round = self.round(machine, pass_seconds, passes);
             let is_cancelled = || self.cancel.load(Ordering::Relaxed);
             let round_started = Instant::now();
             statistics += tracer.trace(&scene, &view, trace, &mut film, round, &is_cancelled)?;
@@ -185,8 +186,8 @@ impl Order<'_> {
     }
 
     /// Number of passes to trace before the clock and the progress are looked at again.
-    fn round(&self, pass_seconds: f64, done: u32) -> u32 {
-        let round = scheduler::round(pass_seconds, done, self.request.pass_limit);
+    fn round(&self, machine: Machine, pass_seconds: f64, done: u32) -> u32 {
+        let round = scheduler::round(machine, pass_seconds, done, self.request.pass_limit);
         match self.time_left() {
             Some(left) => ((left.as_secs_f64() / pass_seconds) as u32).clamp(1, round),
             None => round,

@@ -8,9 +8,9 @@ use super::graphics::Refusal;
 use super::job::Job;
 use super::shared::Shared;
 use crate::error::RendererError;
-use crate::scheduler::Scheduler;
+use crate::scheduler::{Machine, Scheduler};
 use crate::spectrum::Bins;
-use crate::tracer::{DEVICE_PANICKED, Device, Tracer, TracerName};
+use crate::tracer::{DEVICE_PANICKED, Device, Tracer};
 
 /// What the user reads where a tracer has panicked.
 const PANICKED: &str = "the tracer failed on this scene, which is a fault of the program; \
@@ -71,10 +71,7 @@ pub(super) struct Workplace<T: Tracer> {
 
 impl<T: Tracer> Workplace<T> {
     pub(super) fn new(tracer: Arc<T>, device: Option<u64>) -> Self {
-        let scheduler = match tracer.name() {
-            TracerName::Gpu { is_software: false, .. } => Scheduler::for_graphics_card(),
-            _ => Scheduler::for_processor(),
-        };
+        let scheduler = Scheduler::new(Machine::from(&tracer.name()));
         Self { tracer, device, scheduler, job: None }
     }
 
