@@ -53,7 +53,7 @@ pub(super) fn table() -> Table {
 }
 
 /// From 0 up to where the square of the length is still a number, and with equal components. What
-/// is so short that its square is 0 to a device has a direction only for glam; no ray comes near it.
+/// is so short that its square is 0 to a device has a direction only for glam; no ray is so.
 fn vectors_of_any_length(_: &World) -> Vec<Case> {
     let mut cases = throw(500, |dice| {
         let length = dice.magnitude(1e-18, 1e18);
