@@ -114,8 +114,8 @@ fn meshes() -> Vec<Probe> {
             put.hit(&meet_mesh(&world.scene, instance, &ray, left_facet, take.sides(), take.f32()));
         },
         cases: rays_at_meshes,
-        // Distances divide by the cosine to the facet. Within rounding of an edge the two may choose
-        // different facets.
+        // Distances divide by the cosine to the facet. Within rounding of an edge the two may
+        // choose different facets.
         tolerance: Tolerance::relative(1e-4).or(1e-4).but(0.0005),
     }]
 }
@@ -214,7 +214,8 @@ fn into_world(instance: &Instance, point: Vec3) -> Vec3 {
     turned / rows[0].xyz().length_squared()
 }
 
-/// At each triangle and past them, from outside and from inside, having left any facet or none, near or far limits.
+/// At each triangle and past them, from outside and from inside, having left any facet or none,
+/// with near and far limits.
 fn rays_at_meshes(world: &World) -> Vec<Case> {
     let scene = &world.scene;
     let meshes: Vec<usize> =
