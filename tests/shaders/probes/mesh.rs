@@ -1,7 +1,7 @@
 //! Boxes, triangles and meshes.
 
 use brilliance_renderer::kernel::mesh::{
-    BoxRay, Shear, Sides, faces, meet_mesh, triangle_distance,
+    BoxRay, Shear, Sides, difference_of_products, faces, meet_mesh, triangle_distance,
 };
 use brilliance_renderer::kernel::ray::{FAR, Ray};
 use brilliance_renderer::packed::{Instance, MESH, NONE, PackedTriangle};
@@ -65,6 +65,28 @@ fn triangles() -> Vec<Probe> {
             },
             cases: rays_at_triangles,
             tolerance: DISTANCE,
+        },
+        Probe {
+            name: "difference_of_products",
+            wgsl: "let p = take_vec3();
+    let q = take_vec3();
+    put_f32(difference_of_products(p.x, q.y, p.y, q.x));
+    put_f32(sign(difference_of_products(p.x, q.y, p.y, q.x))
+        + sign(difference_of_products(q.x, p.y, q.y, p.x)));",
+            rust: |_, take, put| {
+                let (p, q) = (take.vec3(), take.vec3());
+                put.f32(difference_of_products(p.x, q.y, p.y, q.x));
+                // The two sides of an edge.
+                put.f32(0.0);
+            },
+            cases: |_| {
+                throw(500, |dice| {
+                    let p = dice.point(20.0);
+                    Case::new().vec3(p).vec3(p * dice.magnitude(0.1, 10.0))
+                })
+            },
+            // Of products of up to 4000, of which nearly nothing is left.
+            tolerance: Tolerance::relative(0.0).or(1e-3),
         },
         Probe {
             name: "triangle_distance on the edge",
