@@ -29,6 +29,15 @@ impl Film {
         Self { width, height, bins, passes: 0, sums }
     }
 
+    /// A film of `passes` passes that were summed up elsewhere.
+    ///
+    /// # Panics
+    /// The sums are not one per pixel and bin.
+    pub fn from_sums([width, height]: [u32; 2], bins: Bins, sums: Vec<f32>, passes: u32) -> Self {
+        assert_eq!(sums.len(), width as usize * height as usize * bins.count(), "sums of a film");
+        Self { width, height, bins, passes, sums }
+    }
+
     /// Width and height in pixels.
     pub fn size(&self) -> [u32; 2] {
         [self.width, self.height]

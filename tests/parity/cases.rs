@@ -125,6 +125,13 @@ pub(crate) fn furnace() -> Case {
     Case::new("furnace", asset("scenes/furnace.toml"))
 }
 
+/// A small diamond of little effort, unlike in all rows and bins; each pass differs too.
+pub(crate) fn small_diamond() -> Case {
+    let mut document = Document::default();
+    document.trace = document.trace.draft();
+    Case { size: [40, 32], passes: 3, ..Case::new("small-diamond", document) }
+}
+
 /// A diamond of little effort on a film of many bytes.
 pub(crate) fn banded() -> Case {
     let mut document = Document::default();

@@ -7,7 +7,7 @@ use brilliance_renderer::film::Film;
 use brilliance_renderer::image_file::write_png8;
 use brilliance_renderer::settings::DisplaySettings;
 use brilliance_renderer::statistics::Statistics;
-use brilliance_renderer::tracer::{GpuTracer, Tracer};
+use brilliance_renderer::tracer::{GpuFilm, GpuTracer, Tracer};
 
 use super::cases::{self, Case};
 use super::{TRACER, cpu_film, limited_graphics, relative, total, trace};
@@ -26,16 +26,9 @@ const MEAN_TOLERANCE: f64 = 1e-3;
 /// few rays are so close. A rule that one side has and the other lacks shows in many pixels.
 const HISTOGRAM: [(f64, f64); 3] = [(1e-4, 0.05), (1e-2, 0.02), (0.1, 0.005)];
 
-fn assert_in_step(case: &Case, tracer: &GpuTracer) -> (Statistics, Statistics) {
-    let (cpu, cpu_statistics) = cpu_film(case);
-    let (gpu, gpu_statistics) = trace(tracer, case);
-    let gpu = tracer.read(gpu).expect("the film is read");
-    assert_eq!((gpu.size(), gpu.passes()), (cpu.size(), cpu.passes()));
-    if let Err(fault) = compare(&cpu, &gpu) {
-        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{}.png", case.name));
-        write_side_by_side(&path, &cpu, &gpu);
-        panic!("{}: {fault}; see {}: CPU, GPU, difference", case.name, path.display());
-    }
+pub(crate) fn assert_in_step(case: &Case, tracer: &GpuTracer) -> (Statistics, Statistics) {
+    let (film, gpu_statistics) = trace(tracer, case);
+    let cpu_statistics = assert_same(case, tracer, film);
     assert_eq!(gpu_statistics.camera_rays, cpu_statistics.camera_rays);
     let segments = [cpu_statistics, gpu_statistics].map(|statistics| statistics.segments as f64);
     assert!(relative(segments[0], segments[1]) < 1e-3, "{}: {segments:?}", case.name);
@@ -51,6 +44,20 @@ fn assert_in_step(case: &Case, tracer: &GpuTracer) -> (Statistics, Statistics) {
         assert!((cpu - gpu).abs() < 1e-4 * ledger.entered, "{}: {what} {cpu} {gpu}", case.name);
     }
     (cpu_statistics, gpu_statistics)
+}
+
+/// The film that the device made of all the case's passes is the processor's, whose counts are
+/// given back.
+pub(crate) fn assert_same(case: &Case, tracer: &GpuTracer, film: GpuFilm) -> Statistics {
+    let (cpu, statistics) = cpu_film(case);
+    let gpu = tracer.read(film).expect("the film is read");
+    assert_eq!((gpu.size(), gpu.passes()), (cpu.size(), cpu.passes()));
+    if let Err(fault) = compare(&cpu, &gpu) {
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{}.png", case.name));
+        write_side_by_side(&path, &cpu, &gpu);
+        panic!("{}: {fault}; see {}: CPU, GPU, difference", case.name, path.display());
+    }
+    statistics
 }
 
 /// A NaN does.
@@ -151,6 +158,27 @@ fn film_in_bands() {
     assert_eq!(bands, [(0, 48), (48, 24)]);
     drop(film);
     assert_in_step(&case, &tracer);
+    // Rounds of one pass: more than one call has of them, and more than one in each band.
+    tracer.limit_rounds(1);
+    assert_in_step(&Case { passes: 3, ..case }, &tracer);
+}
+
+#[test]
+fn a_pixel_is_read_by_itself() {
+    let graphics = limited_graphics(|limits| limits.max_storage_buffer_binding_size = 3 << 19);
+    let tracer = GpuTracer::new(&graphics).expect("the device can trace");
+    let case = cases::banded();
+    let (film, _) = trace(&tracer, &case);
+    assert_eq!(film.bands().len(), 2);
+    let pixels = [[0, 0], [64, 36], [127, 47], [0, 48], [70, 50], [127, 71]];
+    let read = pixels.map(|[x, y]| tracer.read_pixel(&film, x, y).expect("a pixel is read"));
+    for [x, y] in [[128, 0], [0, 72]] {
+        assert_eq!(tracer.read_pixel(&film, x, y).expect("nothing is read"), None);
+    }
+    let film = tracer.read(film).expect("the film is read");
+    let expected = pixels.map(|[x, y]| Some(film.pixel(x, y)));
+    assert_eq!(read, expected);
+    assert!(read[1] != read[4], "the pixels differ");
 }
 
 #[test]

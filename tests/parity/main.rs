@@ -15,7 +15,6 @@ use brilliance_renderer::film::Film;
 use brilliance_renderer::gpu::Graphics;
 use brilliance_renderer::statistics::Statistics;
 use brilliance_renderer::tracer::{CpuTracer, GpuTracer, Tracer};
-use wgpu::{DeviceDescriptor, Instance, InstanceDescriptor, Limits, RequestAdapterOptions};
 
 use cases::Case;
 
@@ -31,19 +30,11 @@ fn graphics() -> Graphics {
 }
 
 /// A device with lower limits than it could have.
-fn limited_graphics(limit: impl FnOnce(&mut Limits)) -> Graphics {
-    let instance = Instance::new(InstanceDescriptor::new_without_display_handle_from_env());
-    let adapter = pollster::block_on(instance.request_adapter(&RequestAdapterOptions::default()))
-        .expect("these tests need a graphics device, be it software");
-    let mut required_limits = adapter.limits();
-    limit(&mut required_limits);
-    let descriptor = DeviceDescriptor { required_limits, ..DeviceDescriptor::default() };
-    let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
-        .expect("the device takes lower limits");
-    Graphics::share(&device, &queue, adapter.get_info())
+fn limited_graphics(limit: impl Fn(&mut wgpu::Limits)) -> Graphics {
+    Graphics::open_restricted(true, limit).expect("the device takes lower limits")
 }
 
-/// All passes of a case at once.
+/// All passes of a case in one call.
 fn trace<T: Tracer>(tracer: &T, case: &Case) -> (T::Film, Statistics) {
     let scene = tracer.load(case.packed()).expect("the scene loads");
     let mut film = tracer.film(case.size, case.bins(), None).expect("there is room for the film");

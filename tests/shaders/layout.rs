@@ -98,7 +98,7 @@ fn rust_layouts() -> Vec<Layout> {
         Frame {
             position, width, forward, height, right, first_row, up, pixel_count, rules, sky,
             ground, first_pass, item_count, budget, bin_count, bin_width_nm, disc_count,
-            top_node_count, walker_count
+            top_node_count, first_walker
         }
         TraceRules {
             observer, split_count, significance_threshold, max_depth, perturb, padding

@@ -4,9 +4,11 @@ use wgpu::{Adapter, AdapterInfo, Backends, DeviceType, DownlevelFlags};
 
 use crate::error::RendererError;
 
-/// Opens the best device that can compute, with all that its adapter offers.
+/// Opens the best device that can compute, with all that its adapter offers but what `restrict`
+/// takes away.
 pub(super) fn open(
     allow_software: bool,
+    restrict: impl Fn(&mut wgpu::Limits),
 ) -> Result<(wgpu::Device, wgpu::Queue, AdapterInfo), RendererError> {
     let mut fault = "no graphics device was found; install its driver (Vulkan, Metal or \
                      DirectX 12), or trace on the CPU"
@@ -21,9 +23,11 @@ pub(super) fn open(
             );
             continue;
         }
+        let mut required_limits = adapter.limits();
+        restrict(&mut required_limits);
         let descriptor = wgpu::DeviceDescriptor {
             label: Some("brilliance"),
-            required_limits: adapter.limits(),
+            required_limits,
             ..Default::default()
         };
         match pollster::block_on(adapter.request_device(&descriptor)) {

@@ -43,9 +43,9 @@ impl Graphics {
     }
 
     /// Takes the device for lost from now on.
-    pub(super) fn lose(&self, reason: &str) -> RendererError {
+    pub(super) fn lose(&self, reason: &str) {
         // Where the device has said why itself, that stands.
-        self.lost(self.shared.loss.get_or_init(|| reason.to_owned()))
+        self.shared.loss.get_or_init(|| reason.to_owned());
     }
 
     fn lost(&self, loss: &str) -> RendererError {

@@ -36,7 +36,19 @@ impl Graphics {
     /// # Errors
     /// There is no such device, or it can't be opened.
     pub fn open(allow_software: bool) -> Result<Self, RendererError> {
-        let (device, queue, info) = adapter::open(allow_software)?;
+        Self::open_restricted(allow_software, |_| ())
+    }
+
+    /// [`open`](Self::open) for tests: the same device, with the limits that `restrict` leaves it.
+    ///
+    /// # Errors
+    /// There is no such device, or it can't be opened.
+    #[doc(hidden)]
+    pub fn open_restricted(
+        allow_software: bool,
+        restrict: impl Fn(&mut wgpu::Limits),
+    ) -> Result<Self, RendererError> {
+        let (device, queue, info) = adapter::open(allow_software, restrict)?;
         Ok(Self::share(&device, &queue, info))
     }
 

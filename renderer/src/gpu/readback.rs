@@ -1,5 +1,6 @@
 //! From the device's memory to the processor's.
 
+use std::fmt::Display;
 use std::sync::mpsc::{Receiver, channel};
 
 use wgpu::{BufferUsages, Extent3d, MapMode, TexelCopyBufferInfo, TexelCopyBufferLayout};
@@ -60,12 +61,21 @@ impl Readback {
         arrival: &Arrival,
         read: impl FnOnce(&[u8]) -> T,
     ) -> Result<T, RendererError> {
+        let refusal = |error: &dyn Display| {
+            RendererError::Graphics(format!(
+                "the graphics device {} does not hand over what it has made: {error}",
+                graphics.name()
+            ))
+        };
         if let Some(arrived) = graphics.wait(&arrival.0)? {
-            // Only a device that is going away refuses what it has agreed to.
-            arrived.map_err(|error| graphics.lose(&error.to_string()))?;
+            arrived.map_err(|error| refusal(&error))?;
+        } else if self.buffer.get_mapped_range(..).is_err() {
+            // The callback is gone, and the content is not there: once more.
+            let _ = graphics.guard("give up a readback", |_| self.buffer.unmap());
+            let arrived = graphics.wait(&self.request().0)?;
+            arrived.transpose().map_err(|error| refusal(&error))?;
         }
-        let view = self.buffer.get_mapped_range(..);
-        let view = view.map_err(|error| graphics.lose(&error.to_string()))?;
+        let view = self.buffer.get_mapped_range(..).map_err(|error| refusal(&error))?;
         let seen = read(&view);
         drop(view);
         self.buffer.unmap();
@@ -80,22 +90,23 @@ impl Graphics {
     /// The device fails.
     pub fn read_buffer(&self, buffer: &wgpu::Buffer) -> Result<Vec<u8>, RendererError> {
         let mut bytes = vec![0; buffer.size() as usize];
-        self.fetch(buffer, &mut bytes)?;
+        self.fetch(buffer, 0, &mut bytes)?;
         Ok(bytes)
     }
 
-    /// Fills `bytes`, a multiple of 4, from the beginning of a buffer with usage `COPY_SRC`.
+    /// Fills `bytes` from byte `offset` on of a buffer with usage `COPY_SRC`; multiples of 4.
     ///
     /// # Errors
     /// The device fails.
     pub(crate) fn fetch(
         &self,
         buffer: &wgpu::Buffer,
+        offset: u64,
         bytes: &mut [u8],
     ) -> Result<(), RendererError> {
         let chunk = Readback::new(self, (bytes.len() as u64).min(CHUNK_BYTES))?;
         for (number, part) in (0..).zip(bytes.chunks_mut(CHUNK_BYTES as usize)) {
-            let (start, size) = (number * CHUNK_BYTES, part.len() as u64);
+            let (start, size) = (offset + number * CHUNK_BYTES, part.len() as u64);
             self.submit("read a buffer", |encoder| {
                 encoder.copy_buffer_to_buffer(buffer, start, chunk.buffer(), 0, size);
             })?;
@@ -146,5 +157,46 @@ impl Graphics {
             first += rows;
         }
         Ok(texels)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A buffer to read back that holds `content` once the device gets to it.
+    fn readback(graphics: &Graphics, content: [u8; 4]) -> Readback {
+        let source = graphics.device().create_buffer(&wgpu::BufferDescriptor {
+            label: None,
+            size: 4,
+            usage: BufferUsages::COPY_SRC | BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        graphics.queue().write_buffer(&source, 0, &content);
+        let readback = Readback::new(graphics, 4).unwrap();
+        let copy = |encoder: &mut wgpu::CommandEncoder| {
+            encoder.copy_buffer_to_buffer(&source, 0, readback.buffer(), 0, 4);
+        };
+        graphics.submit("test", copy).unwrap();
+        readback
+    }
+
+    #[test]
+    fn a_callback_that_is_never_called_loses_neither_content_nor_device() {
+        let graphics = Graphics::open(true).expect("there is a device, be it software");
+        let dropped = || Arrival(channel().1);
+        let see = |bytes: &[u8]| bytes.to_vec();
+        // What was asked for is not there.
+        let unasked = readback(&graphics, [1, 2, 3, 4]);
+        assert_eq!(unasked.receive(&graphics, &dropped(), see).unwrap(), [1, 2, 3, 4]);
+        // It is there, but nobody says so.
+        let asked = readback(&graphics, [5, 6, 7, 8]);
+        assert_eq!(graphics.wait(&asked.request().0).unwrap(), Some(Ok(())));
+        assert_eq!(asked.receive(&graphics, &dropped(), see).unwrap(), [5, 6, 7, 8]);
+        assert_eq!(graphics.loss(), None);
+        // And both can be used again.
+        for readback in [unasked, asked] {
+            assert!(readback.receive(&graphics, &readback.request(), see).is_ok());
+        }
     }
 }

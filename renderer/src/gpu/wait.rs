@@ -10,9 +10,9 @@ use crate::error::RendererError;
 
 /// Time between two looks at the device.
 const LOOK_INTERVAL: Duration = Duration::from_micros(200);
-/// A device that takes longer is hung; what it is given takes some milliseconds. Windows allows
-/// drivers the same.
-const PATIENCE: Duration = Duration::from_secs(2);
+/// What a device is given takes some milliseconds, so that one which takes longer is hung, or all
+/// too busy for others. Where it is hung, its driver finds that out after 2 s (Windows) to 10 s.
+const PATIENCE: Duration = Duration::from_secs(5);
 /// Software compiles a kernel when it first runs it, and shares the processor with everyone.
 const SOFTWARE_PATIENCE: Duration = Duration::from_mins(5);
 
@@ -24,10 +24,17 @@ impl Graphics {
     /// now and then holds it for a moment.
     ///
     /// # Errors
-    /// The device is lost, or doesn't answer and is taken for lost.
+    /// The device is lost, or doesn't answer in time, which is no proof of its loss.
     pub(crate) fn wait<T>(&self, answer: &Receiver<T>) -> Result<Option<T>, RendererError> {
+        self.wait_for(answer, if self.is_software() { SOFTWARE_PATIENCE } else { PATIENCE })
+    }
+
+    fn wait_for<T>(
+        &self,
+        answer: &Receiver<T>,
+        patience: Duration,
+    ) -> Result<Option<T>, RendererError> {
         let start = Instant::now();
-        let patience = if self.is_software() { SOFTWARE_PATIENCE } else { PATIENCE };
         loop {
             self.poll();
             match answer.try_recv() {
@@ -36,7 +43,12 @@ impl Graphics {
                 Err(TryRecvError::Empty) => self.check_loss()?,
             }
             if start.elapsed() > patience {
-                return Err(self.lose(&format!("no answer for {} s", patience.as_secs())));
+                return Err(RendererError::Graphics(format!(
+                    "the graphics device {} has not answered for {} s; close other programs that \
+                     keep it busy, or trace on the CPU",
+                    self.name(),
+                    patience.as_secs()
+                )));
             }
             thread::sleep(LOOK_INTERVAL);
         }
@@ -50,5 +62,23 @@ impl Graphics {
         if polled.is_err() {
             self.lose("its driver failed");
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::mpsc::channel;
+
+    use super::*;
+
+    #[test]
+    fn a_busy_device_is_not_taken_for_a_lost_one() {
+        let graphics = Graphics::open(true).expect("there is a device, be it software");
+        let (sender, answer) = channel::<()>();
+        let text = graphics.wait_for(&answer, Duration::ZERO).unwrap_err().to_string();
+        assert!(text.contains("has not answered"), "{text}");
+        assert_eq!(graphics.loss(), None);
+        drop(sender);
+        assert!(graphics.wait_for(&answer, Duration::ZERO).unwrap().is_none());
     }
 }

@@ -87,7 +87,7 @@ struct Frame {
     bin_width_nm: f32,
     disc_count: u32,
     top_node_count: u32,
-    walker_count: u32,
+    first_walker: u32,
 }
 
 @group(0) @binding(0) var<storage, read> instances: array<Instance>;

@@ -7,10 +7,12 @@ struct Walker {
     walk: Walk,
     item: u32,
     is_walking: u32,
+    // Of the item, in earlier dispatches.
+    segments: u32,
 }
 
-// Sums over items. Each of `sums` takes two words, the lower one first; energies are in units of
-// 1 / `ENERGY_UNIT`, so that the sum of millions loses nothing.
+// Sums of what walkers did. Each of `sums` takes two words, the lower one first; energies are in
+// units of 1 / `ENERGY_UNIT`, so that the sum of millions loses nothing.
 struct Account {
     items: atomic<u32>,
     max_segments: atomic<u32>,
@@ -23,6 +25,18 @@ struct Progress {
     accounts: array<Account, ACCOUNT_COUNT>,
 }
 
+// What one walker does in one dispatch, in the units of `Account`; sums with the lower word first.
+struct Books {
+    items: u32,
+    max_segments: u32,
+    segments: vec2u,
+    returned: vec2u,
+    absorbed: vec2u,
+    pruned: vec2u,
+    cut_off: vec2u,
+    lost: vec2u,
+}
+
 // Radiance sums as f32, pixel by pixel, the bins of a pixel side by side.
 @group(2) @binding(0) var<storage, read_write> film: array<atomic<u32>>;
 @group(2) @binding(1) var<storage, read_write> walkers: array<Walker>;
@@ -30,14 +44,18 @@ struct Progress {
 
 // The item at work, or `NONE`.
 var<private> item: u32;
+// The item's segments that are in the books.
+var<private> item_segments: u32;
+var<private> books: Books;
 
 @compute @workgroup_size(WORKGROUP_SIZE)
 fn walk_items(@builtin(global_invocation_id) id: vec3u) {
-    let walker = id.x;
-    if walker >= frame.walker_count {
+    let walker = frame.first_walker + id.x;
+    resume(walker);
+    // Looking first keeps the counter from running over: past the end, each walker counts once.
+    if item == NONE && atomicLoad(&progress.next_item) >= frame.item_count {
         return;
     }
-    resume(walker);
     // One ray per turn, whosever it is: a walker with a new item does not wait for its neighbours
     // to end theirs.
     for (var left = frame.budget; left > 0u; left--) {
@@ -60,34 +78,36 @@ fn walk_items(@builtin(global_invocation_id) id: vec3u) {
 // Takes up where the walker was.
 fn resume(walker: u32) {
     item = NONE;
+    books = Books();
     walk.walker = walker;
     if walkers[walker].is_walking != 0u {
         item = walkers[walker].item;
+        item_segments = walkers[walker].segments;
         walk = walkers[walker].walk;
     }
 }
 
-// Leaves the walk for the next dispatch.
+// Leaves the walk for the next dispatch and closes the books of this one.
 fn suspend(walker: u32) {
     let is_walking = item != NONE;
     if is_walking {
+        book_tally();
         walkers[walker].item = item;
+        walkers[walker].segments = item_segments;
         walkers[walker].walk = walk;
     }
     walkers[walker].is_walking = u32(is_walking);
+    close_books(walker % ACCOUNT_COUNT);
 }
 
 // Takes the next item; false where none is left.
 fn begin_item() -> bool {
-    // Looking first keeps the counter from running over.
-    if atomicLoad(&progress.next_item) >= frame.item_count {
-        return false;
-    }
     let next = atomicAdd(&progress.next_item, 1u);
     if next >= frame.item_count {
         return false;
     }
     item = next;
+    item_segments = 0u;
     let pixel = item % frame.pixel_count;
     let x = pixel % frame.width;
     let y = frame.first_row + pixel / frame.width;
@@ -102,7 +122,7 @@ fn begin_item() -> bool {
     return true;
 }
 
-// Adds the radiance that was found to the film and closes the item's books.
+// Adds the radiance that was found to the film and books the item.
 fn complete_item() {
     if item == NONE {
         return;
@@ -114,7 +134,9 @@ fn complete_item() {
             add_to_film(pixel * frame.bin_count + bin, value);
         }
     }
-    book();
+    book_tally();
+    books.items += 1u;
+    books.max_segments = max(books.max_segments, item_segments);
     item = NONE;
 }
 
@@ -131,17 +153,16 @@ fn add_to_film(at: u32, value: f32) {
     }
 }
 
-// Enters the walk's tally into an account.
-fn book() {
-    let account = walk.walker % ACCOUNT_COUNT;
-    atomicAdd(&progress.accounts[account].items, 1u);
-    atomicMax(&progress.accounts[account].max_segments, walk.tally.segments);
-    add_to_sum(account, 0u, walk.tally.segments);
-    add_to_sum(account, 1u, energy_units(walk.tally.returned));
-    add_to_sum(account, 2u, energy_units(walk.tally.absorbed));
-    add_to_sum(account, 3u, energy_units(walk.tally.pruned));
-    add_to_sum(account, 4u, energy_units(walk.tally.cut_off));
-    add_to_sum(account, 5u, energy_units(walk.tally.lost));
+// Enters the walk's tally into the books and begins a new one.
+fn book_tally() {
+    item_segments += walk.tally.segments;
+    books.segments = plus(books.segments, walk.tally.segments);
+    books.returned = plus(books.returned, energy_units(walk.tally.returned));
+    books.absorbed = plus(books.absorbed, energy_units(walk.tally.absorbed));
+    books.pruned = plus(books.pruned, energy_units(walk.tally.pruned));
+    books.cut_off = plus(books.cut_off, energy_units(walk.tally.cut_off));
+    books.lost = plus(books.lost, energy_units(walk.tally.lost));
+    walk.tally = Tally();
 }
 
 // An energy as a whole number; rounding may have left it a trifle below 0 or above 1.
@@ -149,13 +170,34 @@ fn energy_units(energy: f32) -> u32 {
     return u32(clamp(energy, 0.0, 2.0) * ENERGY_UNIT + 0.5);
 }
 
-// Adds to the sum number `sum`, and carries.
-fn add_to_sum(account: u32, sum: u32, value: u32) {
-    if value == 0u {
-        return;
+// The sum of a number of two words and one of one word.
+fn plus(sum: vec2u, value: u32) -> vec2u {
+    let low = sum.x + value;
+    return vec2u(low, sum.y + u32(low < value));
+}
+
+// Enters the books into an account.
+fn close_books(account: u32) {
+    if books.items > 0u {
+        atomicAdd(&progress.accounts[account].items, books.items);
+        atomicMax(&progress.accounts[account].max_segments, books.max_segments);
     }
-    let old = atomicAdd(&progress.accounts[account].sums[2u * sum], value);
-    if old + value < old {
-        atomicAdd(&progress.accounts[account].sums[2u * sum + 1u], 1u);
+    add_to_sum(account, 0u, books.segments);
+    add_to_sum(account, 1u, books.returned);
+    add_to_sum(account, 2u, books.absorbed);
+    add_to_sum(account, 3u, books.pruned);
+    add_to_sum(account, 4u, books.cut_off);
+    add_to_sum(account, 5u, books.lost);
+}
+
+// Adds to the sum number `sum`, and carries.
+fn add_to_sum(account: u32, sum: u32, value: vec2u) {
+    var high = value.y;
+    if value.x > 0u {
+        let old = atomicAdd(&progress.accounts[account].sums[2u * sum], value.x);
+        high += u32(old + value.x < old);
+    }
+    if high > 0u {
+        atomicAdd(&progress.accounts[account].sums[2u * sum + 1u], high);
     }
 }

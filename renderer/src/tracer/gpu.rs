@@ -9,7 +9,7 @@ mod rounds;
 mod scene;
 mod walkers;
 
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use bytemuck::Zeroable;
 
@@ -17,9 +17,8 @@ pub use film::GpuFilm;
 pub use scene::GpuScene;
 
 use self::frame::Frame;
-use self::pace::Pace;
 use self::pipeline::WalkPipeline;
-use self::rounds::Work;
+use self::rounds::{Dispatcher, Order};
 use self::walkers::Walkers;
 use super::{Tracer, TracerName, View, rules};
 use crate::develop::{GpuDeveloper, LatentImage};
@@ -36,13 +35,7 @@ pub struct GpuTracer {
     graphics: Graphics,
     pipeline: WalkPipeline,
     developer: GpuDeveloper,
-    crew: Mutex<Crew>,
-}
-
-/// The walkers, and how fast they are.
-struct Crew {
-    walkers: Walkers,
-    pace: Pace,
+    dispatcher: Mutex<Dispatcher>,
 }
 
 impl GpuTracer {
@@ -65,6 +58,27 @@ impl GpuTracer {
         Self::with(&self.graphics, self.pipeline.clone(), self.developer.clone())
     }
 
+    /// Mean spectral radiance of the film's pixel at column `x`, row `y`, one value per bin, without
+    /// reading back the others; None outside of the film.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub fn read_pixel(
+        &self,
+        film: &GpuFilm,
+        x: u32,
+        y: u32,
+    ) -> Result<Option<Vec<f32>>, RendererError> {
+        film.read_pixel(&self.graphics, x, y)
+    }
+
+    /// For tests: several rounds in one call, of at most `items` camera rays where these are more
+    /// than one pass.
+    #[doc(hidden)]
+    pub fn limit_rounds(&self, items: u32) {
+        self.dispatcher().limit_rounds(items);
+    }
+
     /// The device that it traces on.
     pub fn graphics(&self) -> &Graphics {
         &self.graphics
@@ -76,9 +90,13 @@ impl GpuTracer {
         developer: GpuDeveloper,
     ) -> Result<Self, RendererError> {
         let walkers = Walkers::new(graphics, &pipeline)?;
-        let pace = Pace::new(graphics.is_software());
-        let crew = Mutex::new(Crew { walkers, pace });
-        Ok(Self { graphics: graphics.clone(), pipeline, developer, crew })
+        let dispatcher = Mutex::new(Dispatcher::new(walkers, graphics.is_software()));
+        Ok(Self { graphics: graphics.clone(), pipeline, developer, dispatcher })
+    }
+
+    /// What the walkers were at when a trace failed is forgotten by the next one.
+    fn dispatcher(&self) -> MutexGuard<'_, Dispatcher> {
+        self.dispatcher.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
@@ -122,9 +140,6 @@ impl Tracer for GpuTracer {
                 film.bins().count()
             )));
         }
-        // What the walkers were at when a trace failed is forgotten by the next one.
-        let mut crew = self.crew.lock().unwrap_or_else(PoisonError::into_inner);
-        let Crew { walkers, pace } = &mut *crew;
         let [width, height] = film.size();
         let frame = Frame {
             position: view.frame.position,
@@ -140,17 +155,11 @@ impl Tracer for GpuTracer {
             bin_width_nm: scene.bins.width_nm(),
             disc_count: scene.disc_count,
             top_node_count: scene.top_node_count,
-            walker_count: walkers.count(),
             ..Frame::zeroed()
         };
-        let work = Work {
-            graphics: &self.graphics,
-            pipeline: &self.pipeline,
-            walkers,
-            scene,
-            is_cancelled,
-        };
-        let statistics = work.trace(film, frame, passes, pace)?;
+        let (graphics, pipeline) = (&self.graphics, &self.pipeline);
+        let order = Order { graphics, pipeline, scene, is_cancelled };
+        let statistics = self.dispatcher().trace(order, film, frame, passes)?;
         film.complete_passes(passes);
         Ok(statistics)
     }

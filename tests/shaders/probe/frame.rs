@@ -28,7 +28,7 @@ pub(crate) struct Frame {
     pub(crate) bin_width_nm: f32,
     pub(crate) disc_count: u32,
     pub(crate) top_node_count: u32,
-    pub(crate) walker_count: u32,
+    pub(crate) first_walker: u32,
 }
 
 impl Frame {

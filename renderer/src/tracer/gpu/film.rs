@@ -94,18 +94,39 @@ impl GpuFilm {
     /// # Errors
     /// The device fails.
     pub(super) fn read(&self, graphics: &Graphics) -> Result<Film, RendererError> {
-        let mut film = Film::new(self.size[0], self.size[1], self.bins);
-        let mut rest = film.sums_mut();
+        let [width, height] = self.size.map(|side| side as usize);
+        let mut sums = vec![0.0_f32; width * height * self.bins.count()];
+        let mut rest = &mut sums[..];
         for band in &self.bands {
-            let count = band.rows as usize * self.size[0] as usize * self.bins.count();
+            let count = band.rows as usize * width * self.bins.count();
             let (sums, others) = rest.split_at_mut(count);
-            graphics.fetch(&band.buffer, bytemuck::cast_slice_mut(sums))?;
+            graphics.fetch(&band.buffer, 0, bytemuck::cast_slice_mut(sums))?;
             rest = others;
         }
-        for _ in 0..self.passes {
-            film.complete_pass();
-        }
-        Ok(film)
+        Ok(Film::from_sums(self.size, self.bins, sums, self.passes))
+    }
+
+    /// Mean spectral radiance of the pixel at column `x`, row `y`, one value per bin; None outside
+    /// of the film.
+    ///
+    /// # Errors
+    /// The device fails.
+    pub(super) fn read_pixel(
+        &self,
+        graphics: &Graphics,
+        x: u32,
+        y: u32,
+    ) -> Result<Option<Vec<f32>>, RendererError> {
+        let holds_row = |band: &&Band| (band.first_row..band.first_row + band.rows).contains(&y);
+        let Some(band) = self.bands.iter().find(holds_row).filter(|_| x < self.size[0]) else {
+            return Ok(None);
+        };
+        let pixel = u64::from(y - band.first_row) * u64::from(self.size[0]) + u64::from(x);
+        let mut sums = vec![0.0_f32; self.bins.count()];
+        let bytes = bytemuck::cast_slice_mut(&mut sums);
+        graphics.fetch(&band.buffer, pixel * bytes.len() as u64, bytes)?;
+        let scale = 1.0 / self.passes.max(1) as f32;
+        Ok(Some(sums.into_iter().map(|sum| sum * scale).collect()))
     }
 }
 

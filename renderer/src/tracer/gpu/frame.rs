@@ -46,6 +46,6 @@ pub(super) struct Frame {
     pub(super) disc_count: u32,
     /// Number of nodes over the bodies.
     pub(super) top_node_count: u32,
-    /// Number of walkers.
-    pub(super) walker_count: u32,
+    /// The first of the walkers that get on; as many follow as are dispatched.
+    pub(super) first_walker: u32,
 }

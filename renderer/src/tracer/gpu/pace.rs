@@ -8,7 +8,7 @@ const TARGET: Duration = Duration::from_millis(4);
 /// The same where the device is the processor, which shares its time out by itself, and to which
 /// each submission costs more.
 const SOFTWARE_TARGET: Duration = Duration::from_millis(40);
-/// Rays per walker of the very first submission.
+/// Rays per walker of the first submission of something new.
 const FIRST_BUDGET: u32 = 8;
 /// Fewest rays per walker: less would be spent on coming and going.
 const MIN_BUDGET: u32 = 2;
@@ -19,18 +19,42 @@ const MAX_BUDGET: u32 = 1 << 16;
 const SOFTWARE_MAX_BUDGET: u32 = 32;
 /// Most that the budget grows at a time.
 const MAX_GROWTH: f64 = 2.0;
+/// How many times the target the least budget may take before fewer walkers get on at a time. More
+/// than halving them gains, or they would come and go.
+const TOO_SLOW: u32 = 4;
+/// Most parts that the walkers are taken in. A device with few of them idles, so that more parts
+/// would hardly shorten the submissions any more.
+const MAX_PARTS: u32 = 16;
+
+/// The work of one submission.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Ration {
+    /// Rays that each walker may follow.
+    pub(super) budget: u32,
+    /// Into how many parts the walkers are divided, of which one gets on. More than 1 only where
+    /// even the least budget is too much for all.
+    pub(super) parts: u32,
+}
+
+impl Ration {
+    const FIRST: Self = Self { budget: FIRST_BUDGET, parts: 1 };
+
+    fn is_less_than(self, other: Self) -> bool {
+        self.budget * other.parts < other.budget * self.parts
+    }
+}
 
 /// Sizes the next submission from what the last ones took.
 ///
 /// Towards the end of a round ever fewer walkers have work and each gets on faster, so that the
-/// budget grows; the next round, where all have work again, begins with what was right when all
+/// ration grows; the next round, where all have work again, begins with what was right when all
 /// had.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pace {
     target: Duration,
     max_budget: u32,
-    budget: u32,
-    loaded_budget: u32,
+    ration: Ration,
+    loaded_ration: Ration,
 }
 
 impl Pace {
@@ -38,28 +62,42 @@ impl Pace {
     pub(super) fn new(is_software: bool) -> Self {
         let (target, max_budget) =
             if is_software { (SOFTWARE_TARGET, SOFTWARE_MAX_BUDGET) } else { (TARGET, MAX_BUDGET) };
-        Self { target, max_budget, budget: FIRST_BUDGET, loaded_budget: FIRST_BUDGET }
+        Self { target, max_budget, ration: Ration::FIRST, loaded_ration: Ration::FIRST }
+    }
+
+    /// Something else is traced, whose rays may cost a thousand times as much.
+    pub(super) fn begin_carefully(&mut self) {
+        if Ration::FIRST.is_less_than(self.loaded_ration) {
+            self.loaded_ration = Ration::FIRST;
+        }
     }
 
     /// All walkers get work again.
     pub(super) fn begin_round(&mut self) {
-        self.budget = self.loaded_budget;
+        self.ration = self.loaded_ration;
     }
 
-    /// Rays that each walker may follow in the next submission.
-    pub(super) fn budget(self) -> u32 {
-        self.budget
+    /// The work of the next submission.
+    pub(super) fn ration(self) -> Ration {
+        self.ration
     }
 
-    /// Learns that a submission of `budget` took `elapsed`; `is_loaded` where every walker had
+    /// Learns that a submission of `ration` took `elapsed`; `is_loaded` where every walker had
     /// work all the while.
-    pub(super) fn observe(&mut self, budget: u32, elapsed: Duration, is_loaded: bool) {
+    pub(super) fn observe(&mut self, ration: Ration, elapsed: Duration, is_loaded: bool) {
+        let Ration { budget, parts } = ration;
         let ratio = self.target.as_secs_f64() / elapsed.as_secs_f64().max(1e-9);
         let fitting = (f64::from(budget) * ratio.min(MAX_GROWTH)) as u32;
-        self.budget = fitting.clamp(MIN_BUDGET, self.max_budget);
+        self.ration = if budget == MIN_BUDGET && elapsed > self.target * TOO_SLOW {
+            Ration { budget, parts: (2 * parts).min(MAX_PARTS) }
+        } else if parts == 1 {
+            Ration { budget: fitting.clamp(MIN_BUDGET, self.max_budget), parts }
+        } else {
+            Ration { budget, parts: if elapsed < self.target { parts / 2 } else { parts } }
+        };
         // What is too much for some is too much for all.
-        if is_loaded || self.budget < self.loaded_budget {
-            self.loaded_budget = self.budget;
+        if is_loaded || self.ration.is_less_than(self.loaded_ration) {
+            self.loaded_ration = self.ration;
         }
     }
 }
@@ -69,14 +107,21 @@ mod tests {
     use super::*;
 
     /// A device that takes a fixed time per submission and a time per ray, two in flight.
-    fn run(pace: &mut Pace, submissions: usize, per_ray: Duration, is_loaded: bool) -> Vec<u32> {
-        let mut budgets = vec![pace.budget(), pace.budget()];
+    fn run(pace: &mut Pace, submissions: usize, per_ray: Duration, is_loaded: bool) -> Vec<Ration> {
+        let mut rations = vec![pace.ration(), pace.ration()];
         for i in 0..submissions {
-            let elapsed = Duration::from_micros(100) + per_ray * budgets[i];
-            pace.observe(budgets[i], elapsed, is_loaded);
-            budgets.push(pace.budget());
+            pace.observe(rations[i], time(rations[i], per_ray), is_loaded);
+            rations.push(pace.ration());
         }
-        budgets
+        rations
+    }
+
+    fn time(ration: Ration, per_ray: Duration) -> Duration {
+        Duration::from_micros(100) + per_ray * ration.budget / ration.parts
+    }
+
+    fn whole(budget: u32) -> Ration {
+        Ration { budget, parts: 1 }
     }
 
     #[test]
@@ -85,7 +130,7 @@ mod tests {
             let per_ray = Duration::from_micros(per_ray_us);
             let mut pace = Pace::new(false);
             run(&mut pace, 30, per_ray, true);
-            let time = per_ray * pace.budget();
+            let time = per_ray * pace.ration().budget;
             assert!(time <= TARGET && time * 10 >= TARGET * 8, "{per_ray_us}: {time:?}");
         }
     }
@@ -93,44 +138,85 @@ mod tests {
     #[test]
     fn it_grows_by_no_more_than_twofold_and_not_for_ever() {
         let mut pace = Pace::new(false);
-        let budgets = run(&mut pace, 60, Duration::ZERO, true);
+        let rations = run(&mut pace, 60, Duration::ZERO, true);
+        let budgets: Vec<_> = rations.iter().map(|ration| ration.budget).collect();
         assert!(budgets.windows(3).all(|w| w[2] <= 2 * w[0].max(w[1])), "{budgets:?}");
-        assert_eq!(pace.budget(), MAX_BUDGET);
+        assert_eq!(pace.ration(), whole(MAX_BUDGET));
         let mut pace = Pace::new(true);
         run(&mut pace, 60, Duration::ZERO, true);
-        assert_eq!(pace.budget(), SOFTWARE_MAX_BUDGET);
+        assert_eq!(pace.ration(), whole(SOFTWARE_MAX_BUDGET));
     }
 
     #[test]
     fn it_reacts_at_once_to_a_slow_submission() {
         let mut pace = Pace::new(false);
         run(&mut pace, 30, Duration::from_micros(10), true);
-        let before = pace.budget();
+        let before = pace.ration();
         pace.observe(before, TARGET * 10, true);
-        assert!(pace.budget() <= before / 10 + 1);
-        pace.observe(MIN_BUDGET, Duration::from_secs(1), true);
-        assert_eq!(pace.budget(), MIN_BUDGET);
+        assert!(pace.ration().budget <= before.budget / 10 + 1);
+        pace.observe(before, Duration::from_secs(1), true);
+        assert_eq!(pace.ration(), whole(MIN_BUDGET));
+    }
+
+    #[test]
+    fn rays_that_cost_a_thousand_times_as_much_don_t_hold_the_device_up() {
+        let mut pace = Pace::new(false);
+        let cheap = Duration::from_nanos(100);
+        run(&mut pace, 60, cheap, true);
+        assert!(time(pace.ration(), 1000 * cheap) > 100 * TARGET);
+        pace.begin_carefully();
+        pace.begin_round();
+        for ration in run(&mut pace, 60, 1000 * cheap, true) {
+            assert!(time(ration, 1000 * cheap) <= 2 * TARGET, "{ration:?}");
+        }
+        // And back: it has the old pace again after some submissions that take no time.
+        pace.begin_carefully();
+        pace.begin_round();
+        run(&mut pace, 24, cheap, true);
+        assert!(2 * time(pace.ration(), cheap) > TARGET, "{pace:?}");
+    }
+
+    #[test]
+    fn where_the_least_budget_takes_too_long_fewer_walkers_get_on() {
+        let mut pace = Pace::new(false);
+        let (dear, cheap) = (10 * TARGET, TARGET / 100);
+        run(&mut pace, 30, dear, true);
+        assert_eq!(pace.ration().budget, MIN_BUDGET);
+        assert!(time(pace.ration(), dear) <= TOO_SLOW * TARGET, "{pace:?}");
+        // It stays so, and a new scene is no less careful.
+        let settled = pace.ration();
+        let rations = run(&mut pace, 30, dear, true);
+        assert!(rations.iter().all(|&ration| ration == settled), "{rations:?}");
+        pace.begin_carefully();
+        pace.begin_round();
+        assert_eq!(pace.ration(), settled);
+        // And all get on again where there is room.
+        run(&mut pace, 30, cheap, true);
+        assert!(pace.ration().parts == 1 && pace.ration().budget > 50, "{pace:?}");
+        // There is an end to it.
+        run(&mut pace, 30, 1000 * TARGET, true);
+        assert_eq!(pace.ration(), Ration { budget: MIN_BUDGET, parts: MAX_PARTS });
     }
 
     #[test]
     fn what_the_last_walkers_reach_is_not_given_to_all() {
         let mut pace = Pace::new(false);
         run(&mut pace, 30, Duration::from_micros(100), true);
-        let loaded = pace.budget();
+        let loaded = pace.ration();
         run(&mut pace, 30, Duration::from_micros(1), false);
-        assert!(pace.budget() > 20 * loaded);
+        assert!(pace.ration().budget > 20 * loaded.budget);
         pace.begin_round();
-        assert_eq!(pace.budget(), loaded);
+        assert_eq!(pace.ration(), loaded);
     }
 
     #[test]
     fn what_is_too_slow_for_some_is_not_given_to_all() {
         let mut pace = Pace::new(false);
         run(&mut pace, 30, Duration::from_micros(10), true);
-        pace.observe(pace.budget(), TARGET * 4, false);
-        let slowed = pace.budget();
+        pace.observe(pace.ration(), TARGET * 4, false);
+        let slowed = pace.ration();
         pace.observe(slowed, TARGET / 2, false);
         pace.begin_round();
-        assert_eq!(pace.budget(), slowed);
+        assert_eq!(pace.ration(), slowed);
     }
 }

@@ -191,7 +191,7 @@ mod tests {
                 bin_width_nm,
                 disc_count,
                 top_node_count,
-                walker_count,
+                first_walker,
             ]
         );
         assert_twins!(module, Account, [items, max_segments, sums]);

@@ -11,7 +11,7 @@ pub(super) const SUM_COUNT: usize = 6;
 /// Units of the energy of one camera ray.
 pub(super) const ENERGY_UNIT: f32 = (1 << 30) as f32;
 
-/// Sums over the items of some of the walkers.
+/// Sums of what some of the walkers did, the items at work included but for their number.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub(super) struct Account {
@@ -38,7 +38,7 @@ impl Progress {
         self.accounts.iter().map(|account| u64::from(account.items)).sum()
     }
 
-    /// The accounts taken together.
+    /// The accounts taken together; complete where all items that were begun are done.
     pub(super) fn statistics(&self) -> Statistics {
         let sum = |number: usize| -> u64 {
             let words = |account: &Account| [0, 1].map(|word| account.sums[2 * number + word]);
@@ -59,6 +59,60 @@ impl Progress {
                 cut_off: energy(4),
                 lost: energy(5),
             },
+        }
+    }
+}
+
+/// Full turns of all walkers without effect after which they are given up.
+const VAIN_TURNS: u32 = 3;
+
+/// Notices that walkers get nowhere, which only a broken kernel can do: one that has work follows
+/// at least one ray in each dispatch.
+#[derive(Debug, Default)]
+pub(super) struct Headway {
+    reached: u64,
+    vain_submissions: u32,
+}
+
+impl Headway {
+    /// Looks at how far the work has come after one more submission, to one of `parts` parts of
+    /// the walkers; true where the last ones changed nothing.
+    pub(super) fn is_lacking(&mut self, progress: &Progress, parts: u32) -> bool {
+        let reached = progress.items() + progress.statistics().segments;
+        self.vain_submissions = if reached > self.reached { 0 } else { self.vain_submissions + 1 };
+        self.reached = reached;
+        self.vain_submissions >= VAIN_TURNS * parts
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn progress(items: u32, segments: u32) -> Progress {
+        let mut progress = Progress::zeroed();
+        progress.accounts[5].items = items;
+        progress.accounts[9].sums[0] = segments;
+        progress
+    }
+
+    #[test]
+    fn rays_that_are_followed_are_headway_without_any_item_done() {
+        let mut headway = Headway::default();
+        for segments in 1..100 {
+            assert!(!headway.is_lacking(&progress(0, segments), 1));
+        }
+    }
+
+    #[test]
+    fn it_is_lacking_once_all_walkers_had_their_turns() {
+        for parts in [1, 4] {
+            let mut headway = Headway::default();
+            assert!(!headway.is_lacking(&progress(7, 80), parts));
+            for _ in 1..VAIN_TURNS * parts {
+                assert!(!headway.is_lacking(&progress(7, 80), parts));
+            }
+            assert!(headway.is_lacking(&progress(7, 80), parts));
         }
     }
 }

@@ -1,5 +1,7 @@
 //! A scene in the memory of a graphics device.
 
+use std::sync::Arc;
+
 use bytemuck::{NoUninit, Zeroable, bytes_of, cast_slice};
 use wgpu::{BindGroup, BufferUsages};
 
@@ -12,6 +14,8 @@ use crate::spectrum::Bins;
 /// A scene in the memory of a graphics device.
 #[derive(Debug)]
 pub struct GpuScene {
+    /// To tell it from others.
+    pub(super) identity: Arc<()>,
     pub(super) bins: Bins,
     pub(super) group: BindGroup,
     pub(super) sky: PackedSky,
@@ -54,6 +58,7 @@ impl GpuScene {
             })
         })?;
         Ok(Self {
+            identity: Arc::new(()),
             bins: scene.bins,
             group,
             sky: scene.sky,
