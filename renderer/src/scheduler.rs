@@ -303,7 +303,7 @@ mod tests {
 
     #[test]
     fn work_that_is_always_interrupted_gets_smaller_until_it_is_done() {
-        // The guess for a graphics card is far too low for these.
+        // The guess for a graphics card is far too low for these. Every restart halves the sides.
         for full in [0.3 / PIXELS, 3.0 / PIXELS, 30.0 / PIXELS] {
             let mut scheduler = Scheduler::new(Machine::GraphicsCard);
             let restarts = (1..10).find(|_| {
@@ -315,7 +315,7 @@ mod tests {
                 }
                 is_done
             });
-            assert!(restarts.is_some_and(|restarts| restarts <= 6), "{full}: {restarts:?}");
+            assert!(restarts.is_some_and(|restarts| restarts <= 7), "{full}: {restarts:?}");
         }
     }
 
