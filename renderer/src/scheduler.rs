@@ -71,6 +71,11 @@ impl Cost {
         self.seconds += weight * (seconds - self.seconds);
         self.is_measured = true;
     }
+
+    /// Takes note that it is `seconds` or more.
+    fn raise(&mut self, seconds: f64) {
+        self.seconds = self.seconds.max(seconds);
+    }
 }
 
 impl Scheduler {
@@ -82,6 +87,10 @@ impl Scheduler {
     /// Time that a round of several passes is to take, in seconds: long enough that the few
     /// pixels that every round waits for at its end weigh little.
     pub const ROUND_SECONDS: f64 = 0.1;
+    /// Time that the first round after a change is given to become a picture though something newer
+    /// is asked for, in seconds. A hand that drags asks for another picture at every frame; without
+    /// this it would see none until it rests.
+    pub const PATIENCE_SECONDS: f64 = 0.1;
     /// Coarsest draft: pixels of 32 × 32.
     pub const MAX_DIVISOR: u32 = 32;
     /// What a draft is guessed to cost of a full pass.
@@ -142,17 +151,36 @@ impl Scheduler {
 
     /// Takes note that `work`, which [`next`](Self::next) gave, was completed in `seconds`.
     pub fn complete(&mut self, work: Work, seconds: f64) {
-        let traced = self.pixels as f64 / f64::from(work.divisor).powi(2) * f64::from(work.passes);
-        let cost = match work.effort {
-            Effort::Draft => &mut self.draft,
-            Effort::Full => &mut self.full,
-        };
-        cost.measure(seconds / traced.max(1.0));
+        let seconds = seconds / self.traced_pixels(work);
+        self.cost_mut(work.effort).measure(seconds);
         self.stage = match self.stage {
             Stage::Draft { divisor: 1 } => Stage::Accumulate { passes: 0 },
             Stage::Draft { divisor } => Stage::Draft { divisor: divisor / 2 },
             Stage::Accumulate { passes } => Stage::Accumulate { passes: passes + work.passes },
         };
+    }
+
+    /// Takes note that `work`, which [`next`](Self::next) gave, was not complete after `seconds`,
+    /// so that it costs more. A restart must follow, since the film is spoilt.
+    pub fn interrupt(&mut self, work: Work, seconds: f64) {
+        let seconds = seconds / self.traced_pixels(work);
+        self.cost_mut(work.effort).raise(seconds);
+        if work.effort == Effort::Full && !self.draft.is_measured {
+            self.draft.raise(Self::DRAFT_SHARE * seconds);
+        }
+    }
+
+    /// Pixels of all passes of `work`, at least 1.
+    fn traced_pixels(&self, work: Work) -> f64 {
+        let traced = self.pixels as f64 / f64::from(work.divisor).powi(2) * f64::from(work.passes);
+        traced.max(1.0)
+    }
+
+    fn cost_mut(&mut self, effort: Effort) -> &mut Cost {
+        match effort {
+            Effort::Draft => &mut self.draft,
+            Effort::Full => &mut self.full,
+        }
     }
 }
 
@@ -271,6 +299,36 @@ mod tests {
         }
         // A tenth of a second has room for 20 passes and the wait.
         assert!(rounds[rounds.len() - 2] >= 15, "{rounds:?}");
+    }
+
+    #[test]
+    fn work_that_is_always_interrupted_gets_smaller_until_it_is_done() {
+        // The guess for a graphics card is far too low for these. Every restart halves the sides.
+        for full in [0.3 / PIXELS, 3.0 / PIXELS, 30.0 / PIXELS] {
+            let mut scheduler = Scheduler::new(Machine::GraphicsCard);
+            let restarts = (1..10).find(|_| {
+                scheduler.restart(SIZE, 20);
+                let work = scheduler.next().expect("there is work");
+                let is_done = seconds(work, full, full) <= Scheduler::PATIENCE_SECONDS;
+                if !is_done {
+                    scheduler.interrupt(work, Scheduler::PATIENCE_SECONDS);
+                }
+                is_done
+            });
+            assert!(restarts.is_some_and(|restarts| restarts <= 7), "{full}: {restarts:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_interrupted_soon_teaches_nothing() {
+        let mut scheduler = Scheduler::new(Machine::Processor);
+        scheduler.restart(SIZE, 3);
+        run(&mut scheduler, 1e-6, 1e-5);
+        scheduler.restart(SIZE, 3);
+        let before = scheduler.clone();
+        let work = scheduler.next().expect("there is work");
+        scheduler.interrupt(work, 1e-3);
+        assert_eq!(scheduler, before);
     }
 
     #[test]

@@ -2,9 +2,14 @@
 //!
 //! Two threads work behind a [`Session`]. The *render* thread takes the newest request, has pass
 //! after pass traced and hands on the film as a [`LatentImage`](crate::develop::LatentImage); a
-//! newer request stops it within a pixel. The *develop* thread turns the newest image into a
+//! newer request stops it. The *develop* thread turns the newest image into a
 //! [`Picture`] by the newest [`DisplaySettings`], so that exposure acts while a long pass is being
-//! traced.
+//! traced. What a graphics device has traced is developed there between two rounds, by the render
+//! thread, which only has to say so; the develop thread then sees to new settings alone.
+//!
+//! While requests come faster than pictures, the first round after a restart is given a moment to
+//! become one ([`Scheduler::PATIENCE_SECONDS`](crate::scheduler::Scheduler::PATIENCE_SECONDS)), so
+//! that there is something to see while a hand drags.
 //!
 //! A graphics device that was [offered](Session::offer_graphics) traces what calls for it as soon
 //! as a third thread has compiled its shaders, and until it fails; the processor traces the rest.
@@ -27,7 +32,8 @@ use std::sync::Arc;
 use crate::error::RendererError;
 use crate::gpu::Graphics;
 use crate::settings::DisplaySettings;
-use crate::tracer::CpuTracer;
+use crate::tracer::{CpuTracer, TracingDevice};
+use bell::Urgency;
 pub use graphics::{GraphicsFailure, GraphicsState};
 pub use progress::{Activity, Picture, Progress};
 pub use request::RenderRequest;
@@ -78,7 +84,7 @@ impl Session {
         if *display != settings {
             *display = settings;
             drop(display);
-            shared.to_develop.ring();
+            shared.to_develop.ring(Urgency::None);
         }
     }
 
@@ -127,10 +133,14 @@ impl Session {
         self.graphics.as_ref()
     }
 
-    /// The graphics device that was offered, unless it has failed.
-    pub fn working_graphics(&self) -> Option<&Graphics> {
-        let has_failed = matches!(self.graphics_state(), GraphicsState::Failed(_));
-        self.graphics.as_ref().filter(|_| !has_failed)
+    /// The graphics device that was offered, unless it has failed, with what was compiled for it.
+    pub fn tracing_device(&self) -> Option<TracingDevice> {
+        let slot = lock(&self.running.shared.graphics);
+        if matches!(slot.state(), GraphicsState::Failed(_)) {
+            return None;
+        }
+        let ready = slot.ready_tracer().map(TracingDevice::from);
+        ready.or_else(|| self.graphics.clone().map(TracingDevice::from))
     }
 
     /// The newest picture.

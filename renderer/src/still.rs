@@ -9,7 +9,6 @@ use std::time::{Duration, Instant};
 use crate::develop::XyzImage;
 use crate::error::RendererError;
 use crate::film::Film;
-use crate::gpu::Graphics;
 use crate::image_file;
 use crate::packed::PackedScene;
 use crate::scheduler::{self, Machine};
@@ -17,7 +16,7 @@ use crate::session::RenderRequest;
 use crate::settings::DisplaySettings;
 use crate::spectrum::Bins;
 use crate::statistics::Statistics;
-use crate::tracer::{CpuTracer, DEVICE_PANICKED, Device, Tracer, TracerName, View};
+use crate::tracer::{CpuTracer, DEVICE_PANICKED, Device, Tracer, TracerName, TracingDevice, View};
 
 /// What a still says of its maker.
 const SOFTWARE: &str = concat!("Brilliance ", env!("CARGO_PKG_VERSION"));
@@ -63,23 +62,24 @@ pub struct Still {
 }
 
 impl Still {
-    /// Traces `request` on `graphics` where its backend calls for that device, else on the
+    /// Traces `request` on `device` where its backend calls for that device, else on the
     /// processor. Where the device fails or the scene is too much for it, the processor begins
     /// anew, and the still has a warning.
     ///
     /// `progress` is told how many passes are done, of `request.pass_limit`: after each, or several
-    /// times per second. Set `cancel` to end with [`RendererError::Cancelled`] within a pixel.
+    /// times per second. Set `cancel` to end with [`RendererError::Cancelled`] within a pixel, or
+    /// once the shaders are compiled where they have to be.
     ///
     /// # Errors
     /// An impossible scene, an empty picture, or a cancelled job.
     pub fn render(
         request: &RenderRequest,
         limits: StillLimits,
-        graphics: Option<&Graphics>,
+        device: Option<&TracingDevice>,
         cancel: &AtomicBool,
         mut progress: impl FnMut(u32, &Statistics),
     ) -> Result<Self, RendererError> {
-        render_on(request, limits, graphics, cancel, &mut progress)
+        render_on(request, limits, device, cancel, &mut progress)
     }
 
     /// Writes the picture to `path` by way of a temporary file, with the scene file `scene_toml`

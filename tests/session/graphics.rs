@@ -9,13 +9,13 @@ use brilliance_renderer::gpu::Graphics;
 use brilliance_renderer::session::{Activity, GraphicsState, RenderRequest, Session};
 use brilliance_renderer::settings::DisplaySettings;
 use brilliance_renderer::still::{Still, StillLimits};
-use brilliance_renderer::tracer::{Backend, TracerName};
+use brilliance_renderer::tracer::{Backend, TracerName, TracingDevice};
 
 use crate::watched::{Watched, request};
 
-/// What the fallback is given where other tests keep all processors busy; an idle machine needs a
-/// tenth of it.
-const SOON: Duration = Duration::from_secs(5);
+/// What the fallback is given where other tests keep all processors busy. An idle machine needs a
+/// hundredth of it; a device that is waited for in vain is given minutes.
+const SOON: Duration = Duration::from_mins(1);
 
 /// A device of the test's own. A machine without any fails the test rather than passing it unseen.
 fn graphics() -> Graphics {
@@ -116,7 +116,8 @@ fn a_still_is_traced_on_the_device_or_with_a_warning_on_the_processor() {
     let render = || {
         let limits = StillLimits::default();
         let cancel = AtomicBool::new(false);
-        Still::render(&request, limits, Some(&graphics), &cancel, |_, _| {}).expect("renders")
+        let device = TracingDevice::from(graphics.clone());
+        Still::render(&request, limits, Some(&device), &cancel, |_, _| {}).expect("renders")
     };
     let still = render();
     assert!(matches!(still.tracer, TracerName::Gpu { .. }), "{:?}", still.warning);
@@ -128,4 +129,30 @@ fn a_still_is_traced_on_the_device_or_with_a_warning_on_the_processor() {
     assert!(matches!(still.tracer, TracerName::Cpu { .. }));
     assert!(still.warning.is_some_and(|warning| !warning.is_empty()));
     assert_eq!((still.passes, still.film.passes()), (3, 3));
+}
+
+#[test]
+fn a_still_shares_the_shaders_of_the_session() {
+    let graphics = graphics();
+    let mut watched = Watched::new();
+    assert!(watched.session.tracing_device().is_none());
+    watched.session.offer_graphics(graphics.clone());
+    let unprepared = watched.session.tracing_device();
+    assert!(unprepared.is_some_and(|device| !device.is_ready()));
+
+    watched.session.request(gpu_request([48, 32], 1_000_000));
+    wait_for_device(&watched, |_| true);
+    let device = watched.session.tracing_device().expect("it works");
+    assert!(device.is_ready());
+    // While the session goes on tracing.
+    let cancel = AtomicBool::new(false);
+    let request = gpu_request([24, 16], 3);
+    let still = Still::render(&request, StillLimits::default(), Some(&device), &cancel, |_, _| {})
+        .expect("renders");
+    assert!(matches!(still.tracer, TracerName::Gpu { .. }), "{:?}", still.warning);
+    assert_eq!(still.statistics.camera_rays, 3 * 24 * 16);
+
+    graphics.device().destroy();
+    wait_for_processor(&watched);
+    assert!(watched.session.tracing_device().is_none());
 }

@@ -8,7 +8,7 @@ use brilliance_renderer::session::{Activity, Picture, Progress, RenderRequest, S
 use brilliance_renderer::tracer::Backend;
 
 /// Far beyond what any of this takes; only a hang reaches it.
-const PATIENCE: Duration = Duration::from_mins(2);
+const PATIENCE: Duration = Duration::from_mins(5);
 
 /// A session and a bell that it rings at every update.
 pub(crate) struct Watched {

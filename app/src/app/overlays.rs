@@ -54,7 +54,7 @@ impl App {
                 pass_limit: order.still.passes,
                 backend: self.live.backend(),
             },
-            graphics: self.session().working_graphics().cloned(),
+            device: self.session().tracing_device(),
             display: document.display.clone(),
             format: order.format,
             scene_toml: document.to_toml(folder),

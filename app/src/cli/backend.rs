@@ -11,7 +11,8 @@ pub(super) enum BackendChoice {
     Auto,
     /// The processor
     Cpu,
-    /// A graphics device, even one made of software
+    /// A graphics device, even one made of software; having none is an error, while for one that
+    /// fails later the processor takes over, with a warning
     Gpu,
 }
 

@@ -11,7 +11,7 @@ use brilliance_renderer::gpu::Graphics;
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::session::RenderRequest;
 use brilliance_renderer::still::{Still, StillLimits};
-use brilliance_renderer::tracer::Backend;
+use brilliance_renderer::tracer::{Backend, TracingDevice};
 use brilliance_renderer::whole_file;
 
 use super::arguments::RenderArguments;
@@ -77,9 +77,9 @@ fn trace(
     };
     let threads = arguments.threads.unwrap_or(ALL_THREADS);
     let limits = StillLimits { time: arguments.time, threads };
-    let graphics = open_graphics(request.backend)?;
+    let device = open_graphics(request.backend)?.map(TracingDevice::from);
     let progress = Progress::new(request.pass_limit);
-    let still = Still::render(&request, limits, graphics.as_ref(), cancel, |passes, _| {
+    let still = Still::render(&request, limits, device.as_ref(), cancel, |passes, _| {
         progress.show(passes);
     });
     drop(progress);

@@ -6,11 +6,10 @@ use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::time::Instant;
 
 use brilliance_renderer::error::RendererError;
-use brilliance_renderer::gpu::Graphics;
 use brilliance_renderer::session::RenderRequest;
 use brilliance_renderer::settings::DisplaySettings;
 use brilliance_renderer::still::{Still, StillFormat, StillLimits};
-use brilliance_renderer::tracer::TracerName;
+use brilliance_renderer::tracer::{TracerName, TracingDevice};
 use brilliance_renderer::whole_file;
 
 use crate::task::{Task, TaskState};
@@ -22,7 +21,7 @@ pub struct StillJob {
     /// What is traced.
     pub request: RenderRequest,
     /// The device to trace it on, where its backend calls for that.
-    pub graphics: Option<Graphics>,
+    pub device: Option<TracingDevice>,
     /// How it is developed.
     pub display: DisplaySettings,
     /// How it is written.
@@ -66,9 +65,8 @@ pub fn render_and_write(
     // A mistyped folder should be told now, not after an hour of tracing.
     whole_file::check(&job.path)?;
     let limits = StillLimits::default();
-    let graphics = job.graphics.as_ref();
-    let still =
-        Still::render(&job.request, limits, graphics, cancel, |passes, _| progress(passes))?;
+    let device = job.device.as_ref();
+    let still = Still::render(&job.request, limits, device, cancel, |passes, _| progress(passes))?;
     still.write(&job.path, job.format, &job.display, &job.scene_toml)?;
     let Still { passes, tracing_seconds, tracer, warning, .. } = still;
     Ok(StillReport { passes, tracing_seconds, tracer, warning })

@@ -5,7 +5,7 @@ mod expose;
 pub(super) mod layout;
 mod xyz_image;
 
-use wgpu::{BindingResource, BufferUsages, ComputePipeline, Device, TextureUsages};
+use wgpu::{BindingResource, BufferUsages, ComputePipeline, Device, TextureFormat, TextureUsages};
 
 pub use expose::Band;
 pub use xyz_image::GpuXyzImage;
@@ -46,6 +46,8 @@ impl GpuDeveloper {
     /// The device refuses the shaders, or fails.
     pub fn new(graphics: &Graphics) -> Result<Self, RendererError> {
         let [expose, develop] = graphics.guard("compile the shaders that develop", |device| {
+            // What a device can't make shows now, and not with the first picture.
+            let _ = (exposed_texture(device, [1, 1]), developed_texture(device, [1, 1]));
             [pipeline(device, "expose", &EXPOSE), pipeline(device, "develop", &DEVELOP)]
         })?;
         Ok(Self { graphics: graphics.clone(), expose, develop })
@@ -92,12 +94,22 @@ impl GpuDeveloper {
     }
 }
 
+/// A texture for X, Y and Z.
+fn exposed_texture(device: &Device, size: [u32; 2]) -> wgpu::Texture {
+    texture(device, size, TextureFormat::Rgba32Float, &[])
+}
+
+/// A texture for sRGB codes, which a window may want to see as the light that they stand for.
+fn developed_texture(device: &Device, size: [u32; 2]) -> wgpu::Texture {
+    texture(device, size, TextureFormat::Rgba8Unorm, &[TextureFormat::Rgba8UnormSrgb])
+}
+
 /// A texture that shaders write to and then read.
 fn texture(
     device: &Device,
     [width, height]: [u32; 2],
-    format: wgpu::TextureFormat,
-    view_formats: &[wgpu::TextureFormat],
+    format: TextureFormat,
+    view_formats: &[TextureFormat],
 ) -> wgpu::Texture {
     device.create_texture(&wgpu::TextureDescriptor {
         label: Some("develop"),

@@ -95,7 +95,7 @@ pub fn direction_on_disc(disc: &PackedDisc, [u, v]: [f32; 2]) -> Vec3 {
     let height = disc.sin_squared_radius / (1.0 + disc.cos_radius);
     let fall = u * height;
     let sin = (fall * (2.0 - fall)).max(0.0).sqrt();
-    let (sin_azimuth, cos_azimuth) = (TAU * v).sin_cos();
+    let (sin_azimuth, cos_azimuth) = (TAU * (v - 0.5)).sin_cos();
     let (tangent, bitangent) = orthonormal_pair(disc.direction);
     (tangent * (sin * cos_azimuth)
         + bitangent * (sin * sin_azimuth)
@@ -106,7 +106,7 @@ pub fn direction_on_disc(disc: &PackedDisc, [u, v]: [f32; 2]) -> Vec3 {
 /// A direction about `normal` with a density proportional to its cosine.
 #[inline]
 pub fn direction_by_cosine(normal: Vec3, [u, v]: [f32; 2]) -> Vec3 {
-    let (sin_azimuth, cos_azimuth) = (TAU * v).sin_cos();
+    let (sin_azimuth, cos_azimuth) = (TAU * (v - 0.5)).sin_cos();
     let radius = u.sqrt();
     let (tangent, bitangent) = orthonormal_pair(normal);
     (tangent * (radius * cos_azimuth)

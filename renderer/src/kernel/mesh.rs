@@ -94,9 +94,9 @@ pub fn triangle_distance(origin: Vec3, shear: &Shear, triangle: &PackedTriangle)
     let a = shear.shear_point(triangle.a - origin);
     let b = shear.shear_point(triangle.b - origin);
     let c = shear.shear_point(triangle.c - origin);
-    let u = c.x * b.y - c.y * b.x;
-    let v = a.x * c.y - a.y * c.x;
-    let w = b.x * a.y - b.y * a.x;
+    let u = difference_of_products(c.x, b.y, c.y, b.x);
+    let v = difference_of_products(a.x, c.y, a.y, c.x);
+    let w = difference_of_products(b.x, a.y, b.y, a.x);
     let has_negative = u < 0.0 || v < 0.0 || w < 0.0;
     let has_positive = u > 0.0 || v > 0.0 || w > 0.0;
     let determinant = u + v + w;
@@ -105,6 +105,13 @@ pub fn triangle_distance(origin: Vec3, shear: &Shear, triangle: &PackedTriangle)
     }
     let distance = (u * a.z + v * b.z + w * c.z) / determinant;
     if distance >= 0.0 { distance } else { FAR }
+}
+
+/// a·b − c·d, of the right sign: two triangles must see their common edge on opposite sides. Here
+/// nothing is fused, so that rounding is the same on both.
+#[inline]
+pub fn difference_of_products(a: f32, b: f32, c: f32, d: f32) -> f32 {
+    a * b - c * d
 }
 
 /// The nearest triangle of the mesh along the ray, closer than `limit`, met from one of `sides`.

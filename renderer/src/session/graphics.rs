@@ -36,16 +36,18 @@ pub struct GraphicsFailure {
 pub(super) enum Refusal {
     /// This scene, with films of so many bins.
     Scene(Arc<Scene>, u32),
-    /// A film of so many pixels and bins.
-    Film(u64, u32),
+    /// A film of this width and height, with so many bins.
+    Film([u32; 2], u32),
 }
 
 impl Refusal {
-    fn covers(&self, request: &RenderRequest) -> bool {
-        let [width, height] = request.size.map(u64::from);
+    pub(super) fn covers(&self, request: &RenderRequest) -> bool {
+        let [width, height] = request.size;
         match self {
             Self::Scene(scene, bins) => request.trace.bins == *bins && request.shows(scene),
-            Self::Film(pixels, bins) => width * height >= *pixels && request.trace.bins >= *bins,
+            Self::Film(size, bins) => {
+                width >= size[0] && height >= size[1] && request.trace.bins >= *bins
+            }
         }
     }
 }
@@ -158,6 +160,14 @@ impl<D: Device> GraphicsSlot<D> {
         let is_refused = self.refusal.as_ref().is_some_and(|refusal| refusal.covers(request));
         (request.backend.uses_device(device.is_software()) && !is_refused)
             .then(|| ReadyTracer { tracer: Arc::clone(tracer), number: self.number })
+    }
+
+    /// The tracer, if it is ready.
+    pub(super) fn ready_tracer(&self) -> Option<Arc<D::Tracer>> {
+        match &self.stage {
+            Stage::Ready(tracer) => Some(Arc::clone(tracer)),
+            Stage::Offered | Stage::Preparing | Stage::Failed(_) => None,
+        }
     }
 
     /// Takes note that the device failed and must not be asked again; false where that is known,

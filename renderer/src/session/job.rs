@@ -2,6 +2,8 @@
 
 use std::time::{Duration, Instant};
 
+use super::bell::{Generation, Urgency};
+use super::develop_thread::develop;
 use super::graphics::Refusal;
 use super::shared::{Exposed, Shared};
 use super::workplace::Fault;
@@ -14,6 +16,8 @@ use crate::spectrum::Bins;
 use crate::statistics::Statistics;
 use crate::tracer::{Device, Tracer, View};
 
+/// Time that the first round has for a picture before it gives way to a newer request.
+const PATIENCE: Duration = Duration::from_millis((1e3 * Scheduler::PATIENCE_SECONDS) as u64);
 /// Least time between two published states of an accumulating film.
 const PUBLISH_INTERVAL: Duration = Duration::from_millis((1e3 * Scheduler::PUBLISH_SECONDS) as u64);
 
@@ -63,16 +67,21 @@ impl<T: Tracer> Job<T> {
         self.exposure.is_some() && self.request.makes_same_film(request)
     }
 
-    /// Traces until the picture is done or there is news.
+    /// Traces until the picture is done or there is news. The first round of a film lets newer
+    /// requests wait for a moment, so that pictures keep coming while a hand drags.
     pub(super) fn serve<D: Device>(
         &mut self,
         shared: &Shared<D>,
         tracer: &T,
         device: Option<u64>,
         scheduler: &mut Scheduler,
-        generation: u64,
+        generation: Generation,
     ) -> Result<(), Fault> {
+        let mut patience = PATIENCE;
         while let Some(work) = scheduler.next() {
+            if !work.begins_film {
+                patience = Duration::ZERO;
+            }
             let mut exposure = self.exposure_for(work, tracer)?;
             let started = Instant::now();
             let traced = tracer.trace(
@@ -81,11 +90,16 @@ impl<T: Tracer> Job<T> {
                 self.settings(work.effort),
                 &mut exposure.film,
                 work.passes,
-                &|| shared.to_trace.generation() != generation,
+                &|| match shared.to_trace.urgency_since(generation) {
+                    Urgency::None => false,
+                    Urgency::Wish => started.elapsed() >= patience,
+                    Urgency::Command => true,
+                },
             );
             let statistics = match traced {
                 Ok(statistics) => statistics,
                 Err(RendererError::Cancelled) => {
+                    scheduler.interrupt(work, started.elapsed().as_secs_f64());
                     // A round that was cut short has spoilt its film.
                     self.spare = Some(exposure.film);
                     return Ok(());
@@ -94,6 +108,7 @@ impl<T: Tracer> Job<T> {
             };
             let seconds = started.elapsed().as_secs_f64();
             scheduler.complete(work, seconds);
+            patience = Duration::ZERO;
             exposure.add(work.passes, &statistics, seconds);
             let is_done = scheduler.next().is_none();
             self.exposure = Some(exposure);
@@ -121,9 +136,7 @@ impl<T: Tracer> Job<T> {
         };
         let size = self.request.size.map(|length| length.div_ceil(work.divisor));
         let film = tracer.film(size, self.bins, used).map_err(|error| {
-            let pixels = size.map(u64::from).iter().product();
-            let wanted = Refusal::Film(pixels, self.request.trace.bins);
-            Fault::of_size(error, wanted, tracer, self.bins)
+            Fault::of_size(error, Refusal::Film(size, self.bins.count() as u32), tracer, self.bins)
         })?;
         Ok(Exposure::new(film, size, work.effort))
     }
@@ -143,8 +156,11 @@ impl<T: Tracer> Job<T> {
         }
         let passes = exposure.passes;
         if exposure.published.is_none_or(|(_, published_passes)| published_passes != passes) {
-            let image = tracer.expose(&exposure.film).map_err(Fault::new)?;
-            shared.expose(Exposed { image, device });
+            let image = tracer.expose(&exposure.film).map_err(|error| {
+                let wanted = Refusal::Film(exposure.size, self.bins.count() as u32);
+                Fault::of_size(error, wanted, tracer, self.bins)
+            })?;
+            show(shared, Exposed { image, device });
         }
         exposure.published = Some((Instant::now(), passes));
         let activity = match (is_done, exposure.effort) {
@@ -163,6 +179,18 @@ impl<T: Tracer> Job<T> {
             tracer: Some(tracer.name()),
         });
         Ok(())
+    }
+}
+
+/// Has an image developed: at once where a device does it, which only has to be told and does it
+/// before the next round; by the develop thread where the processor has to work for it.
+fn show<D: Device>(shared: &Shared<D>, exposed: Exposed) {
+    let is_on_device = exposed.device.is_some();
+    shared.expose(exposed);
+    if is_on_device {
+        develop(shared);
+    } else {
+        shared.to_develop.ring(Urgency::None);
     }
 }
 

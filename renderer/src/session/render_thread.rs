@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::bell::Generation;
 use super::graphics::ReadyTracer;
 use super::shared::{Shared, lock};
 use super::workplace::{Fault, Workplace};
@@ -35,7 +36,7 @@ fn serve_on_device<D: Device>(
     workplace: &mut Option<Workplace<D::Tracer>>,
     ready: ReadyTracer<D::Tracer>,
     request: &RenderRequest,
-    generation: u64,
+    generation: Generation,
 ) -> bool {
     let ReadyTracer { tracer, number } = ready;
     let mut current = workplace

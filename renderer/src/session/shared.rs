@@ -1,5 +1,5 @@
-//! What the threads of a session share. Every lock is held for moments only: never while shaders
-//! are compiled, rays traced or pixels developed.
+//! What the threads of a session share. Every lock but one is held for moments only: never while
+//! shaders are compiled, rays traced or pixels developed.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -23,6 +23,8 @@ pub(super) struct Shared<D: Device> {
     /// Says that there is something new to develop.
     pub(super) to_develop: Bell,
     pub(super) picture: Mutex<Option<Arc<Picture>>>,
+    /// Serial of the picture developed last; locked before all others, and while one is developed.
+    pub(super) last_serial: Mutex<u64>,
     pub(super) progress: Mutex<Progress>,
     on_update: Box<dyn Fn() + Send + Sync>,
 }
@@ -43,6 +45,7 @@ impl<D: Device> Shared<D> {
             display: Mutex::new(DisplaySettings::default()),
             to_develop: Bell::new(),
             picture: Mutex::new(None),
+            last_serial: Mutex::new(0),
             progress: Mutex::new(Progress::default()),
             on_update: Box::new(on_update),
         }
@@ -58,7 +61,7 @@ impl<D: Device> Shared<D> {
         self.announce();
     }
 
-    /// Hands an image on to be developed, unless its device has been given up.
+    /// Makes an image the one to be developed, unless its device has been given up.
     pub(super) fn expose(&self, exposed: Exposed) {
         let graphics = lock(&self.graphics);
         if exposed.device.is_some_and(|number| !graphics.is_current(number)) {
@@ -67,7 +70,6 @@ impl<D: Device> Shared<D> {
         let old = lock(&self.image).replace(Arc::new(exposed));
         drop(graphics);
         drop(old);
-        self.to_develop.ring();
     }
 
     /// Shows a picture, unless its device has been given up.

@@ -3,6 +3,8 @@
 use std::sync::{Arc, Condvar, Mutex};
 use std::time::{Duration, Instant};
 
+use super::bell::Urgency;
+use super::graphics::Refusal;
 use super::shared::lock;
 use super::threads::Threads;
 use super::{Activity, GraphicsFailure, GraphicsState, Progress, RenderRequest};
@@ -12,26 +14,27 @@ use crate::tracer::fake::{Call, FakeDevice, REASON};
 use crate::tracer::{Backend, CpuTracer, TracerName};
 
 /// Far beyond what any of this takes; only a hang reaches it.
-const PATIENCE: Duration = Duration::from_mins(1);
+const PATIENCE: Duration = Duration::from_mins(5);
 
 const SIZE: [u32; 2] = [32, 20];
 const PASSES: u32 = 6;
 
-/// The threads of a session, and a bell that they ring at every update.
+/// The threads of a session, and a bell that they ring with their names at every update.
 struct Watched {
     threads: Threads<FakeDevice>,
-    bell: Arc<(Mutex<u64>, Condvar)>,
+    bell: Arc<(Mutex<Vec<String>>, Condvar)>,
     pass_limit: u32,
 }
 
 impl Watched {
     fn new() -> Self {
-        let bell = Arc::new((Mutex::new(0), Condvar::new()));
+        let bell = Arc::new((Mutex::new(Vec::new()), Condvar::new()));
         let ringer = Arc::clone(&bell);
         let cpu = CpuTracer::new(1).expect("threads can be started");
         let threads = Threads::start(cpu, move || {
             // A test that fails while it looks must not take the threads along.
-            *lock(&ringer.0) += 1;
+            let name = std::thread::current().name().unwrap_or_default().to_owned();
+            lock(&ringer.0).push(name);
             ringer.1.notify_all();
         })
         .expect("threads can be started");
@@ -40,9 +43,13 @@ impl Watched {
 
     /// Asked for a picture, with this device.
     fn tracing(backend: Backend, device: &FakeDevice) -> Self {
+        Self::tracing_request(request(backend), device)
+    }
+
+    fn tracing_request(request: RenderRequest, device: &FakeDevice) -> Self {
         let mut watched = Self::new();
         watched.threads.offer(device.clone());
-        watched.ask(request(backend));
+        watched.ask(request);
         watched
     }
 
@@ -73,6 +80,10 @@ impl Watched {
                 && is_on_device == on_device
         });
         assert_eq!(self.progress().passes, self.pass_limit);
+    }
+
+    fn serial(&self) -> u64 {
+        lock(&self.threads.shared.picture).as_ref().map_or(0, |picture| picture.serial)
     }
 
     fn progress(&self) -> Progress {
@@ -276,6 +287,91 @@ fn a_compiler_that_does_not_end_holds_nobody_up_for_long() {
     let started = Instant::now();
     drop(watched);
     let seconds = started.elapsed().as_secs_f64();
-    assert!(seconds < 10.0, "{seconds}");
+    // Without an end to its patience it would wait for ever.
+    assert!(seconds < 60.0, "{seconds}");
     device.let_compiler_finish();
+}
+
+#[test]
+fn an_image_that_is_too_large_for_the_device_leaves_it_to_smaller_ones() {
+    let device = FakeDevice::hardware();
+    device.plan().most_exposed_pixels = Some(SIZE[0] * SIZE[1] - 1);
+    let mut watched = Watched::tracing(Backend::Auto, &device);
+    watched.wait_for_done(false);
+    watched.assert_told(1);
+    assert_eq!(watched.state(), GraphicsState::Ready, "the device works");
+    watched.ask(RenderRequest { size: [16, 10], ..moved(&request(Backend::Auto)) });
+    watched.wait_for_done(true);
+}
+
+#[test]
+fn what_is_refused_is_refused_to_what_is_no_smaller_either_way() {
+    let refusal = Refusal::Film([400, 20], request(Backend::Auto).trace.bins);
+    let covers = |size| refusal.covers(&RenderRequest { size, ..request(Backend::Auto) });
+    assert!(covers([400, 20]) && covers([401, 30]));
+    assert!(!covers([399, 300]) && !covers([1000, 19]));
+}
+
+#[test]
+fn what_a_device_traces_is_developed_before_its_next_round() {
+    let device = FakeDevice::hardware();
+    // A picture of no passes, so that none is on its way when the device is ready.
+    let mut watched =
+        Watched::tracing_request(RenderRequest { pass_limit: 0, ..request(Backend::Gpu) }, &device);
+    watched.wait(|watched| watched.state() == GraphicsState::Ready);
+    watched.ask(request(Backend::Gpu));
+    watched.wait_for_done(true);
+    let rung_by = lock(&watched.bell.0).clone();
+    assert!(!rung_by.iter().any(|name| name == "develop"), "{rung_by:?}");
+
+    let serial = watched.serial();
+    assert!(serial > 0, "it is shown when it is said to be done");
+    let shared = &watched.threads.shared;
+    lock(&shared.display).exposure_ev = 1.0;
+    shared.to_develop.ring(Urgency::None);
+    watched.wait(|watched| watched.serial() > serial);
+}
+
+#[test]
+fn pictures_keep_coming_while_a_hand_drags() {
+    let pixels = f64::from(SIZE[0] * SIZE[1]);
+    // Longer than the time between two requests; longer than any patience.
+    for full_picture_seconds in [0.03, 0.3] {
+        let device = FakeDevice::hardware();
+        device.plan().seconds_per_pixel = Some(full_picture_seconds / pixels);
+        let mut watched = Watched::tracing(Backend::Gpu, &device);
+        watched.wait_for_done(true);
+        let mut serial = watched.serial();
+        let mut pictures = 0;
+        let mut request = request(Backend::Gpu);
+        let started = Instant::now();
+        while started.elapsed() < Duration::from_millis(1500) {
+            request = moved(&request);
+            watched.ask(request.clone());
+            std::thread::sleep(Duration::from_millis(10));
+            let newest = watched.serial();
+            pictures += u32::from(newest > serial);
+            serial = newest;
+        }
+        // An idle machine shows 50; one is enough to tell from none at all, but not to see by.
+        assert!(pictures >= 15, "{pictures} pictures of {full_picture_seconds} s");
+    }
+}
+
+#[test]
+fn a_device_that_is_far_slower_than_guessed_shows_pictures_soon() {
+    let device = FakeDevice::hardware();
+    device.plan().seconds_per_pixel = Some(0.3 / f64::from(SIZE[0] * SIZE[1]));
+    let unasked = RenderRequest { pass_limit: 0, ..request(Backend::Gpu) };
+    let mut watched = Watched::tracing_request(unasked, &device);
+    watched.wait(|watched| watched.state() == GraphicsState::Ready);
+    let mut request = request(Backend::Gpu);
+    let mut requests = 0;
+    while watched.serial() == 0 {
+        request = moved(&request);
+        watched.ask(request.clone());
+        std::thread::sleep(Duration::from_millis(10));
+        requests += 1;
+        assert!(requests < 300, "no picture for {requests} requests");
+    }
 }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
+use super::bell::Urgency;
 use super::shared::{Shared, lock};
 use super::{GraphicsState, RenderRequest, develop_thread, render_thread};
 use crate::error::RendererError;
@@ -43,11 +44,7 @@ impl<D: Device> Threads<D> {
     pub(super) fn ask(&mut self, request: RenderRequest, is_urgent: bool) {
         *lock(&self.shared.request) = Some(request);
         self.prepare();
-        if is_urgent {
-            self.shared.to_trace.ring_urgently();
-        } else {
-            self.shared.to_trace.ring();
-        }
+        self.shared.to_trace.ring(if is_urgent { Urgency::Wish } else { Urgency::None });
     }
 
     /// Lets requests be traced on `device`.
@@ -56,7 +53,7 @@ impl<D: Device> Threads<D> {
         if self.shared.offer(device) {
             self.prepare();
             if replaces {
-                self.shared.to_trace.ring_urgently();
+                self.shared.to_trace.ring(Urgency::Command);
             }
         }
     }
@@ -65,7 +62,7 @@ impl<D: Device> Threads<D> {
     pub(super) fn retry(&mut self) {
         if lock(&self.shared.graphics).retry() {
             self.prepare();
-            self.shared.to_trace.ring_urgently();
+            self.shared.to_trace.ring(Urgency::Command);
         }
     }
 
@@ -101,7 +98,7 @@ fn compile<D: Device>(shared: &Shared<D>, device: &D, number: u64) {
     }
     let request = lock(&shared.request).clone();
     if request.is_some_and(|request| lock(&shared.graphics).tracer_for(&request).is_some()) {
-        shared.to_trace.ring_urgently();
+        shared.to_trace.ring(Urgency::Command);
     }
     shared.announce();
 }

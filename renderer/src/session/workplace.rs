@@ -4,6 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
 use super::RenderRequest;
+use super::bell::Generation;
 use super::graphics::Refusal;
 use super::job::Job;
 use super::shared::Shared;
@@ -35,8 +36,8 @@ impl Fault {
         }
     }
 
-    /// What an error means that came when `wanted` was brought to where `tracer` works. A device
-    /// that has no room for a film of one pixel either has failed.
+    /// What an error means that came when `wanted` was brought to where `tracer` works, or exposed
+    /// there. A device that can't do that with a film of one pixel either has failed.
     pub(super) fn of_size<T: Tracer>(
         error: RendererError,
         wanted: Refusal,
@@ -44,7 +45,7 @@ impl Fault {
         bins: Bins,
     ) -> Self {
         match Self::new(error) {
-            Self::Device(reason) if tracer.film([1, 1], bins, None).is_ok() => {
+            Self::Device(reason) if has_room_for_a_pixel(tracer, bins) => {
                 Self::Refused(wanted, reason)
             }
             fault => fault,
@@ -58,6 +59,10 @@ impl Fault {
             Self::Refused(_, reason) | Self::Device(reason) => reason,
         }
     }
+}
+
+fn has_room_for_a_pixel<T: Tracer>(tracer: &T, bins: Bins) -> bool {
+    tracer.film([1, 1], bins, None).and_then(|film| tracer.expose(&film)).is_ok()
 }
 
 /// A tracer with its measured costs, its scene and its films.
@@ -90,7 +95,7 @@ impl<T: Tracer> Workplace<T> {
         &mut self,
         shared: &Shared<D>,
         request: RenderRequest,
-        generation: u64,
+        generation: Generation,
     ) -> Result<(), Fault> {
         let previous = self.job.take();
         if previous.as_ref().is_some_and(|job| job.has_film_of(&request)) {

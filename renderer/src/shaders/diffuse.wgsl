@@ -77,7 +77,8 @@ fn direction_on_disc(disc: PackedDisc, at: vec2f) -> vec3f {
     let height = disc.sin_squared_radius / (1.0 + disc.cos_radius);
     let fall = at.x * height;
     let sin_fall = sqrt(max(fall * (2.0 - fall), 0.0));
-    let azimuth = TAU * at.y;
+    // Shaders know sine and cosine well from −π to π.
+    let azimuth = TAU * (at.y - 0.5);
     let pair = orthonormal_pair(disc.direction);
     return normalize_or_zero(
         pair[0] * (sin_fall * cos(azimuth))
@@ -88,7 +89,7 @@ fn direction_on_disc(disc: PackedDisc, at: vec2f) -> vec3f {
 
 // A direction about `normal` with a density proportional to its cosine.
 fn direction_by_cosine(normal: vec3f, at: vec2f) -> vec3f {
-    let azimuth = TAU * at.y;
+    let azimuth = TAU * (at.y - 0.5);
     let radius = sqrt(at.x);
     let pair = orthonormal_pair(normal);
     return normalize_or_zero(

@@ -1,5 +1,8 @@
 // The nearest surface along a ray, over all bodies and the ground.
 
+// Top-level nodes that wait. A variable of the function would be set to zeros at each call.
+var<private> top_stack: array<u32, TOP_STACK>;
+
 // The nearest surface along `ray`; `MISS` where there is none.
 //
 // A ray inside a body meets that body's own surface before any that touches it.
@@ -47,17 +50,17 @@ fn meet_bodies(ray: Ray, limit: f32, any: bool) -> Hit {
     var nearest = MISS;
     nearest.distance = limit;
     let box_ray = new_box_ray(ray.origin, ray.direction);
-    var stack: array<u32, TOP_STACK>;
+    top_stack[0] = 0u;
     var count = 1u;
     while count > 0u {
         count--;
-        let node = top_nodes[stack[count]];
+        let node = top_nodes[top_stack[count]];
         if box_entry(box_ray, node, nearest.distance) == FAR {
             continue;
         }
         if node.primitive_count == 0u {
-            stack[count] = node.first + 1u;
-            stack[count + 1u] = node.first;
+            top_stack[count] = node.first + 1u;
+            top_stack[count + 1u] = node.first;
             count += 2u;
             continue;
         }

@@ -1,5 +1,8 @@
 // Rays and triangle meshes: a binary hierarchy with watertight triangles.
 
+// Nodes that wait. A variable of the function would be set to zeros at each call.
+var<private> node_stack: array<u32, NODE_STACK>;
+
 // A ray as node boxes see it.
 struct BoxRay {
     origin: vec3f,
@@ -58,9 +61,9 @@ fn triangle_distance(origin: vec3f, shear: Shear, triangle: PackedTriangle) -> f
     let a = shear_point(shear, triangle.a - origin);
     let b = shear_point(shear, triangle.b - origin);
     let c = shear_point(shear, triangle.c - origin);
-    let u = c.x * b.y - c.y * b.x;
-    let v = a.x * c.y - a.y * c.x;
-    let w = b.x * a.y - b.y * a.x;
+    let u = difference_of_products(c.x, b.y, c.y, b.x);
+    let v = difference_of_products(a.x, c.y, a.y, c.x);
+    let w = difference_of_products(b.x, a.y, b.y, a.x);
     let has_negative = u < 0.0 || v < 0.0 || w < 0.0;
     let has_positive = u > 0.0 || v > 0.0 || w > 0.0;
     let determinant = u + v + w;
@@ -69,6 +72,14 @@ fn triangle_distance(origin: vec3f, shear: Shear, triangle: PackedTriangle) -> f
     }
     let distance = (u * a.z + v * b.z + w * c.z) / determinant;
     return select(FAR, distance, distance >= 0.0);
+}
+
+// a·b − c·d, of the right sign: two triangles must see their common edge on opposite sides. The
+// plain difference would lose that where the compiler fuses one product with the subtraction, so it
+// is corrected by what that product's rounding lost (Kahan); where nothing is fused, by 0.
+fn difference_of_products(a: f32, b: f32, c: f32, d: f32) -> f32 {
+    let product = c * d;
+    return fma(a, b, -product) + fma(-c, d, product);
 }
 
 // The nearest triangle of the mesh along the ray, closer than `limit`, met from one of `sides`.
@@ -85,7 +96,6 @@ fn meet_mesh(instance: Instance, ray: Ray, left_facet: u32, sides: u32, limit: f
 
     var hit = MISS;
     hit.distance = limit;
-    var stack: array<u32, NODE_STACK>;
     var count = 0u;
     var current = instance.first;
     if box_entry(box_ray, nodes[current], limit) == FAR {
@@ -120,7 +130,7 @@ fn meet_mesh(instance: Instance, ray: Ray, left_facet: u32, sides: u32, limit: f
             }
             if near_entry < FAR {
                 if far_entry < FAR {
-                    stack[count] = far;
+                    node_stack[count] = far;
                     count++;
                 }
                 current = near;
@@ -131,7 +141,7 @@ fn meet_mesh(instance: Instance, ray: Ray, left_facet: u32, sides: u32, limit: f
             break;
         }
         count--;
-        current = stack[count];
+        current = node_stack[count];
     }
     if hit.facet == NONE {
         return MISS;

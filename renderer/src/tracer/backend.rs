@@ -8,12 +8,15 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Backend {
-    /// A graphics card where there is one, else the processor.
+    /// A graphics card where there is one, else the processor: discrete or integrated; virtual,
+    /// which is mostly a real one lent to a virtual machine; or of an unknown kind, as OpenGL
+    /// reports them all. Software, which says that it is, is slower than the processor's tracer.
     #[default]
     Auto,
     /// The processor.
     Cpu,
-    /// The graphics device, even one made of software.
+    /// The graphics device, even one made of software. That none is there is an error; where one
+    /// fails later the processor takes over, with a warning.
     Gpu,
 }
 

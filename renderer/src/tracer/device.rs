@@ -1,5 +1,8 @@
 //! What a tracer is made for: a graphics device, or what a test takes for one.
 
+use std::fmt;
+use std::sync::Arc;
+
 use super::{GpuTracer, Tracer};
 use crate::error::RendererError;
 use crate::gpu::Graphics;
@@ -39,5 +42,61 @@ impl Device for Graphics {
 
     fn prepare(&self) -> Result<GpuTracer, RendererError> {
         GpuTracer::new(self)
+    }
+}
+
+/// A graphics device to trace on, with the shaders compiled for it where that was done already.
+/// Cloning shares it.
+#[derive(Clone)]
+pub struct TracingDevice {
+    graphics: Graphics,
+    /// What has the compiled shaders.
+    ready: Option<Arc<GpuTracer>>,
+}
+
+impl From<Graphics> for TracingDevice {
+    fn from(graphics: Graphics) -> Self {
+        Self { graphics, ready: None }
+    }
+}
+
+impl From<Arc<GpuTracer>> for TracingDevice {
+    fn from(tracer: Arc<GpuTracer>) -> Self {
+        Self { graphics: tracer.graphics().clone(), ready: Some(tracer) }
+    }
+}
+
+impl TracingDevice {
+    /// Whether there is nothing left to compile.
+    pub fn is_ready(&self) -> bool {
+        self.ready.is_some()
+    }
+}
+
+impl fmt::Debug for TracingDevice {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("TracingDevice")
+            .field("name", &self.graphics.name())
+            .field("is_ready", &self.is_ready())
+            .finish_non_exhaustive()
+    }
+}
+
+impl Device for TracingDevice {
+    type Tracer = GpuTracer;
+
+    fn is_software(&self) -> bool {
+        self.graphics.is_software()
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        self.graphics.is_same(&other.graphics)
+    }
+
+    fn prepare(&self) -> Result<GpuTracer, RendererError> {
+        match &self.ready {
+            Some(tracer) => tracer.sibling(),
+            None => GpuTracer::new(&self.graphics),
+        }
     }
 }

@@ -1,6 +1,7 @@
 //! A graphics device for tests: the processor, which fails when told to.
 
 use std::sync::{Arc, Condvar, Mutex, MutexGuard};
+use std::time::{Duration, Instant};
 
 use super::{CpuTracer, Device, Tracer, TracerName, View};
 use crate::develop::LatentImage;
@@ -34,6 +35,10 @@ pub(crate) struct Plan {
     pub(crate) panics: bool,
     /// Largest film; none for any.
     pub(crate) most_pixels: Option<u32>,
+    /// Largest film that can be exposed; none for any.
+    pub(crate) most_exposed_pixels: Option<u32>,
+    /// What tracing costs; passes that have a cost leave the film black.
+    pub(crate) seconds_per_pixel: Option<f64>,
     /// Whether the compiler is kept from finishing.
     pub(crate) compiler_waits: bool,
     pub(crate) calls: Vec<Call>,
@@ -146,11 +151,19 @@ impl Tracer for FakeTracer {
         is_cancelled: &(dyn Fn() -> bool + Sync),
     ) -> Result<Statistics, RendererError> {
         self.device.call(Call::Trace)?;
+        let cost = self.device.plan().seconds_per_pixel;
+        if let Some(cost) = cost {
+            return pass_time(cost, film, passes, is_cancelled);
+        }
         self.cpu.trace(scene, view, settings, film, passes, is_cancelled)
     }
 
     fn expose(&self, film: &Film) -> Result<LatentImage, RendererError> {
         self.device.call(Call::Expose)?;
+        let pixels = film.size()[0] * film.size()[1];
+        if self.device.plan().most_exposed_pixels.is_some_and(|most| pixels > most) {
+            return Err(RendererError::Graphics(REASON.to_owned()));
+        }
         self.cpu.expose(film)
     }
 
@@ -158,4 +171,26 @@ impl Tracer for FakeTracer {
         self.device.call(Call::Read)?;
         self.cpu.read(film)
     }
+}
+
+/// Takes the time of `passes` passes at `cost` seconds per pixel.
+fn pass_time(
+    cost: f64,
+    film: &mut Film,
+    passes: u32,
+    is_cancelled: &(dyn Fn() -> bool + Sync),
+) -> Result<Statistics, RendererError> {
+    let [width, height] = film.size().map(f64::from);
+    let time = Duration::from_secs_f64(cost * width * height * f64::from(passes));
+    let started = Instant::now();
+    while started.elapsed() < time {
+        if is_cancelled() {
+            return Err(RendererError::Cancelled);
+        }
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    for _ in 0..passes {
+        film.complete_pass();
+    }
+    Ok(Statistics::default())
 }

@@ -9,6 +9,7 @@ mod gpu;
 
 pub use backend::{Backend, TracerName};
 pub use cpu::CpuTracer;
+pub use device::TracingDevice;
 pub(crate) use device::{DEVICE_PANICKED, Device};
 pub use gpu::{GpuFilm, GpuScene, GpuTracer};
 

@@ -21,11 +21,8 @@ const RAY_BYTES: usize = 80;
 const READ: BufferBindingType = BufferBindingType::Storage { read_only: true };
 const WRITE: BufferBindingType = BufferBindingType::Storage { read_only: false };
 /// What is bound, group by group.
-const GROUPS: [&[BufferBindingType]; 3] = [
-    &[READ; 10],
-    &[BufferBindingType::Uniform, WRITE, WRITE],
-    &[BufferBindingType::Uniform, READ, WRITE],
-];
+const GROUPS: [&[BufferBindingType]; 3] =
+    [&[READ; 10], &[READ, WRITE, WRITE], &[READ, READ, WRITE]];
 
 /// One device for all tests. A machine without any fails the test rather than passing it unseen.
 fn graphics() -> &'static Graphics {
@@ -103,7 +100,7 @@ impl Shader {
             storage(&scene.discs),
         ];
         let group = self.group(0, &buffers);
-        let frame = buffer(bytemuck::bytes_of(&Frame::new(world)), BufferUsages::UNIFORM);
+        let frame = storage(&[Frame::new(world)]);
         LoadedWorld { shader: self, world, group, frame }
     }
 
@@ -167,17 +164,17 @@ fn layout(device: &wgpu::Device, bindings: &[BufferBindingType]) -> wgpu::BindGr
     })
 }
 
-fn buffer(contents: &[u8], usage: BufferUsages) -> wgpu::Buffer {
-    guard(|device| {
-        device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage })
-    })
-}
-
 /// An array that is read; an empty one as one zeroed element.
 fn storage<T: Pod>(elements: &[T]) -> wgpu::Buffer {
     let zeroed = [T::zeroed()];
     let elements = if elements.is_empty() { &zeroed } else { elements };
-    buffer(cast_slice(elements), BufferUsages::STORAGE)
+    guard(|device| {
+        device.create_buffer_init(&BufferInitDescriptor {
+            label: None,
+            contents: cast_slice(elements),
+            usage: BufferUsages::STORAGE,
+        })
+    })
 }
 
 /// An array that is written to.
@@ -209,18 +206,14 @@ impl LoadedWorld<'_> {
         for (words, case) in inputs.chunks_exact_mut(input_len).zip(cases) {
             words[..case.words().len()].copy_from_slice(case.words());
         }
-        let probing = [cases.len() as u32, input_len as u32, output_len as u32, 0];
+        let probing = [cases.len() as u32, input_len as u32, output_len as u32];
         let outputs = room(4 * cases.len() * (1 + output_len));
         let walkers = [
             self.frame.clone(),
             room(cases.len() * STACK_LEN * RAY_BYTES),
             room(4 * cases.len() * self.world.scene.bins.count()),
         ];
-        let words = [
-            buffer(cast_slice(&probing), BufferUsages::UNIFORM),
-            storage(&inputs),
-            outputs.clone(),
-        ];
+        let words = [storage(&probing), storage(&inputs), outputs.clone()];
         let walkers = self.shader.group(1, &walkers);
         let words = self.shader.group(2, &words);
         guard(|device| {

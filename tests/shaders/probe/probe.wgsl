@@ -7,7 +7,7 @@ struct Probing {
     output_len: u32,
 }
 
-@group(2) @binding(0) var<uniform> probing: Probing;
+@group(2) @binding(0) var<storage, read> probing: Probing;
 @group(2) @binding(1) var<storage, read> inputs: array<u32>;
 // Each case begins with the number of words that were put.
 @group(2) @binding(2) var<storage, read_write> outputs: array<u32>;

@@ -4,9 +4,10 @@ use brilliance_renderer::kernel::fork::{
     absorber_of, enter_absorber, fork_rays, index_table_of, interface_at, medium_beyond,
     meets_second_absorber, reflected_ray, refract_and_reflect, refracted_at, split_and_refract,
 };
-use brilliance_renderer::kernel::interface::{Interface, relative_index};
+use brilliance_renderer::kernel::interface::{Interface, is_totally_reflected, relative_index};
 use brilliance_renderer::kernel::intersect::find_intersection;
 use brilliance_renderer::kernel::ray::{Hit, Ray};
+use brilliance_renderer::kernel::spread::fan_at;
 use brilliance_renderer::kernel::trace::meets_opaque;
 use brilliance_renderer::packed::NONE;
 use glam::Vec3;
@@ -198,7 +199,8 @@ fn bodies(world: &World) -> Vec<Case> {
 }
 
 /// Rays that have been moved to an interface, as they come about: into and out of stones, from one
-/// into another, coloured ones among them; half with any interval and a path behind them in an absorber.
+/// into another, coloured ones among them; half with any interval and a path behind them in some
+/// absorber.
 fn arriving_rays(world: &World) -> Vec<(Ray, Hit)> {
     let mut dice = Dice::new(43);
     let mut arrivals = Vec::new();
@@ -234,8 +236,6 @@ fn arrivals_at_interfaces(world: &World, start: &Case) -> Vec<Case> {
 /// Of the arrivals those of which nothing is totally reflected.
 fn refracted_arrivals(world: &World) -> Vec<Case> {
     let is_refracted = |ray: &Ray, at: &Interface| {
-        use brilliance_renderer::kernel::interface::is_totally_reflected;
-        use brilliance_renderer::kernel::spread::fan_at;
         [ray.lambda_low_nm, ray.lambda_high_nm]
             .iter()
             .all(|&nm| !is_totally_reflected(&world.scene, at, fan_at(ray, nm), nm))

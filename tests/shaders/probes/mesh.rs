@@ -1,7 +1,7 @@
 //! Boxes, triangles and meshes.
 
 use brilliance_renderer::kernel::mesh::{
-    BoxRay, Shear, Sides, faces, meet_mesh, triangle_distance,
+    BoxRay, Shear, Sides, difference_of_products, faces, meet_mesh, triangle_distance,
 };
 use brilliance_renderer::kernel::ray::{FAR, Ray};
 use brilliance_renderer::packed::{Instance, MESH, NONE, PackedTriangle};
@@ -67,6 +67,28 @@ fn triangles() -> Vec<Probe> {
             tolerance: DISTANCE,
         },
         Probe {
+            name: "difference_of_products",
+            wgsl: "let p = take_vec3();
+    let q = take_vec3();
+    put_f32(difference_of_products(p.x, q.y, p.y, q.x));
+    put_f32(sign(difference_of_products(p.x, q.y, p.y, q.x))
+        + sign(difference_of_products(q.x, p.y, q.y, p.x)));",
+            rust: |_, take, put| {
+                let (p, q) = (take.vec3(), take.vec3());
+                put.f32(difference_of_products(p.x, q.y, p.y, q.x));
+                // The two sides of an edge.
+                put.f32(0.0);
+            },
+            cases: |_| {
+                throw(500, |dice| {
+                    let p = dice.point(20.0);
+                    Case::new().vec3(p).vec3(p * dice.magnitude(0.1, 10.0))
+                })
+            },
+            // Of products of up to 4000, of which nearly nothing is left.
+            tolerance: Tolerance::relative(0.0).or(1e-3),
+        },
+        Probe {
             name: "triangle_distance on the edge",
             wgsl: "let origin = take_vec3();
     let shear = new_shear(take_vec3());
@@ -114,8 +136,8 @@ fn meshes() -> Vec<Probe> {
             put.hit(&meet_mesh(&world.scene, instance, &ray, left_facet, take.sides(), take.f32()));
         },
         cases: rays_at_meshes,
-        // Distances divide by the cosine to the facet. Within rounding of an edge the two may choose
-        // different facets.
+        // Distances divide by the cosine to the facet. Within rounding of an edge the two may
+        // choose different facets.
         tolerance: Tolerance::relative(1e-4).or(1e-4).but(0.0005),
     }]
 }
@@ -214,7 +236,8 @@ fn into_world(instance: &Instance, point: Vec3) -> Vec3 {
     turned / rows[0].xyz().length_squared()
 }
 
-/// At each triangle and past them, from outside and from inside, having left any facet or none, near or far limits.
+/// At each triangle and past them, from outside and from inside, having left any facet or none,
+/// with near and far limits.
 fn rays_at_meshes(world: &World) -> Vec<Case> {
     let scene = &world.scene;
     let meshes: Vec<usize> =

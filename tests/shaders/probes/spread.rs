@@ -13,10 +13,6 @@ fn spread() {
     table().check();
 }
 
-/// The position in an interval is a difference over the width, which for the narrowest of these
-/// rays, of 0.1 nm, makes ten of the 3e-5 nm that a wavelength's last bit is worth 3e-3.
-const IN_INTERVAL: Tolerance = Tolerance::relative(1e-6).or(3e-6);
-
 pub(super) fn table() -> Table {
     Table {
         worlds: vec![World::empty()],
@@ -26,28 +22,28 @@ pub(super) fn table() -> Table {
                 wgsl: "put_vec3(fan_at(take_ray(), take_f32()));",
                 rust: |_, take, put| put.vec3(fan_at(&take.ray(), take.f32())),
                 cases: |_| rays_at_wavelengths(1),
-                tolerance: IN_INTERVAL,
+                tolerance: ROUNDING,
             },
             Probe {
                 name: "direction_at",
                 wgsl: "put_vec3(direction_at(take_ray(), take_f32()));",
                 rust: |_, take, put| put.vec3(direction_at(&take.ray(), take.f32())),
                 cases: |_| rays_at_wavelengths(1),
-                tolerance: IN_INTERVAL,
+                tolerance: ROUNDING,
             },
             Probe {
                 name: "perturb",
                 wgsl: "put_ray(perturb(take_ray(), take_f32(), take_f32()));",
                 rust: |_, take, put| put.ray(&perturb(&take.ray(), take.f32(), take.f32())),
                 cases: |_| rays_at_wavelengths(2),
-                tolerance: IN_INTERVAL,
+                tolerance: ROUNDING,
             },
             Probe {
                 name: "interval_position",
                 wgsl: "put_f32(interval_position(take_ray(), take_f32()));",
                 rust: |_, take, put| put.f32(interval_position(&take.ray(), take.f32())),
                 cases: |_| rays_at_wavelengths(1),
-                tolerance: IN_INTERVAL,
+                tolerance: ROUNDING,
             },
             Probe {
                 name: "spread_between",

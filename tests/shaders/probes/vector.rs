@@ -52,18 +52,16 @@ pub(super) fn table() -> Table {
     }
 }
 
-/// From 0 up to where the square of the length is no number any more, and with equal components.
+/// From 0 up to where the square of the length is still a number, and with equal components. What
+/// is so short that its square is 0 to a device has a direction only for glam; no ray is so.
 fn vectors_of_any_length(_: &World) -> Vec<Case> {
     let mut cases = throw(500, |dice| {
         let length = dice.magnitude(1e-18, 1e18);
         Case::new().vec3(dice.direction() * length)
     });
-    let ties = [Vec3::ZERO, -Vec3::ZERO, Vec3::ONE, Vec3::NEG_ONE];
+    let ends = [Vec3::ZERO, -Vec3::ZERO, Vec3::ONE, Vec3::NEG_ONE];
     let pairs = [Vec3::new(1.0, 1.0, 0.5), Vec3::new(0.5, 1.0, 1.0), Vec3::new(1.0, 0.5, 1.0)];
-    let denormal = Vec3::new(1e-40, 0.0, -1e-40);
-    cases.extend([&ties[..], &pairs, &Vec3::AXES, &[denormal]].concat().into_iter().map(|v| {
-        let zeroed = if v == denormal { Vec3::ZERO } else { v };
-        Case::new().vec3(zeroed)
-    }));
+    cases
+        .extend([&ends[..], &pairs, &Vec3::AXES].concat().into_iter().map(|v| Case::new().vec3(v)));
     cases
 }

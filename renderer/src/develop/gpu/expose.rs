@@ -1,9 +1,9 @@
 //! From the film to CIE XYZ on a graphics device.
 
 use bytemuck::{Pod, Zeroable};
-use wgpu::{BindingResource, BufferUsages, TextureFormat};
+use wgpu::{BindingResource, BufferUsages};
 
-use super::{GpuDeveloper, GpuXyzImage, texture};
+use super::{GpuDeveloper, GpuXyzImage, exposed_texture};
 use crate::error::RendererError;
 use crate::spectrum::{Bins, Observer};
 
@@ -45,7 +45,7 @@ impl GpuDeveloper {
     ) -> Result<GpuXyzImage, RendererError> {
         self.check_size(size)?;
         let texture = self.graphics.guard("expose the film", |device| {
-            let texture = texture(device, size, TextureFormat::Rgba32Float, &[]);
+            let texture = exposed_texture(device, size);
             let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
             let weights = weights(bins, passes);
             let weights =

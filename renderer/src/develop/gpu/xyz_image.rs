@@ -1,10 +1,10 @@
 //! CIE XYZ in the memory of a graphics device.
 
-use wgpu::{BindingResource, BufferUsages, TextureFormat, TextureViewDescriptor};
+use wgpu::{BindingResource, BufferUsages, TextureViewDescriptor};
 
 use super::super::XyzImage;
 use super::super::development::Development;
-use super::{GpuDeveloper, texture};
+use super::{GpuDeveloper, developed_texture};
 use crate::error::RendererError;
 use crate::settings::DisplaySettings;
 use crate::spectrum::Bins;
@@ -38,8 +38,7 @@ impl GpuXyzImage {
         let development = Development::new(settings, self.bins);
         let Self { developer, texture: exposed, .. } = self;
         developer.graphics.guard("develop the picture", |device| {
-            let formats = [TextureFormat::Rgba8UnormSrgb];
-            let developed = texture(device, self.size(), TextureFormat::Rgba8Unorm, &formats);
+            let developed = developed_texture(device, self.size());
             let [exposed, written] = [exposed, &developed]
                 .map(|texture| texture.create_view(&TextureViewDescriptor::default()));
             let development =
