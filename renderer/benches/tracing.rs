@@ -37,7 +37,7 @@ fn main() -> Result<(), RendererError> {
 fn print_table(scene: &ShippedScene, device: Option<&TracingDevice>) -> Result<(), RendererError> {
     println!("\ntracing, {}", scene.name);
     println!(
-        "{:<44} {:>12} {:>18} {:>18} {:>12}",
+        "{:<52} {:>12} {:>18} {:>18} {:>12}",
         "", "M segments/s", "passes/s 1280x800", "passes/s 1920x1080", "all threads"
     );
     // All threads come first, since the others are held against them.
@@ -66,7 +66,7 @@ impl Speed {
         let mark = if self.is_traced { "" } else { "≈ " };
         let [small, large] = self.passes_per_second.map(|passes| format!("{mark}{passes:.3}"));
         println!(
-            "{:<44} {:>12.2} {small:>18} {large:>18} {:>11.2}x",
+            "{:<52} {:>12.2} {small:>18} {large:>18} {:>11.2}x",
             self.tracer.to_string(),
             self.segments_per_second / 1e6,
             self.segments_per_second / all_threads,

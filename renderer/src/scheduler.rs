@@ -41,6 +41,9 @@ pub struct Scheduler {
     pixels: u64,
     pass_limit: u32,
     stage: Stage,
+    /// Whether nothing was completed since the restart.
+    is_first: bool,
+    patience_seconds: f64,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,6 +94,8 @@ impl Scheduler {
     /// is asked for, in seconds. A hand that drags asks for another picture at every frame; without
     /// this it would see none until it rests.
     pub const PATIENCE_SECONDS: f64 = 0.1;
+    /// The same where even the coarsest drafts turn out to take longer.
+    pub const MAX_PATIENCE_SECONDS: f64 = 1.6;
     /// Coarsest draft: pixels of 32 × 32.
     pub const MAX_DIVISOR: u32 = 32;
     /// What a draft is guessed to cost of a full pass.
@@ -106,6 +111,8 @@ impl Scheduler {
             pixels: 0,
             pass_limit: 0,
             stage: Stage::Accumulate { passes: 0 },
+            is_first: false,
+            patience_seconds: Self::PATIENCE_SECONDS,
         }
     }
 
@@ -113,6 +120,7 @@ impl Scheduler {
     pub fn restart(&mut self, size: [u32; 2], pass_limit: u32) {
         self.pixels = u64::from(size[0]) * u64::from(size[1]);
         self.limit_passes(pass_limit);
+        self.is_first = true;
         let pixels = self.pixels as f64;
         self.stage = if self.full.seconds * pixels <= Self::PREVIEW_SECONDS {
             Stage::Accumulate { passes: 0 }
@@ -149,8 +157,22 @@ impl Scheduler {
         round(self.machine, pass_seconds, done, self.pass_limit)
     }
 
+    /// Seconds that the next round is given though something newer is asked for.
+    pub fn patience_seconds(&self) -> f64 {
+        if self.is_first { self.patience_seconds } else { 0.0 }
+    }
+
+    /// Has the first round after a restart be given so long from now on, within limits.
+    fn be_patient_for(&mut self, seconds: f64) {
+        self.patience_seconds = seconds.clamp(Self::PATIENCE_SECONDS, Self::MAX_PATIENCE_SECONDS);
+    }
+
     /// Takes note that `work`, which [`next`](Self::next) gave, was completed in `seconds`.
     pub fn complete(&mut self, work: Work, seconds: f64) {
+        if self.is_first {
+            self.be_patient_for(2.0 * seconds);
+        }
+        self.is_first = false;
         let seconds = seconds / self.traced_pixels(work);
         self.cost_mut(work.effort).measure(seconds);
         self.stage = match self.stage {
@@ -163,6 +185,9 @@ impl Scheduler {
     /// Takes note that `work`, which [`next`](Self::next) gave, was not complete after `seconds`,
     /// so that it costs more. A restart must follow, since the film is spoilt.
     pub fn interrupt(&mut self, work: Work, seconds: f64) {
+        if self.is_first && seconds >= self.patience_seconds {
+            self.be_patient_for(2.0 * self.patience_seconds);
+        }
         let seconds = seconds / self.traced_pixels(work);
         self.cost_mut(work.effort).raise(seconds);
         if work.effort == Effort::Full && !self.draft.is_measured {
@@ -317,6 +342,30 @@ mod tests {
             });
             assert!(restarts.is_some_and(|restarts| restarts <= 7), "{full}: {restarts:?}");
         }
+    }
+
+    #[test]
+    fn drafts_that_take_long_however_coarse_are_given_longer() {
+        let mut scheduler = Scheduler::new(Machine::Processor);
+        let mut shown = Vec::new();
+        for _ in 0..8 {
+            scheduler.restart(SIZE, 20);
+            let work = scheduler.next().expect("there is work");
+            let patience = scheduler.patience_seconds();
+            shown.push(patience >= 0.3);
+            if patience >= 0.3 {
+                scheduler.complete(work, 0.3);
+                assert!(scheduler.patience_seconds() <= 0.0, "only the first round is given any");
+            } else {
+                scheduler.interrupt(work, patience);
+            }
+        }
+        assert_eq!(shown, [false, false, true, true, true, true, true, true]);
+        scheduler.restart(SIZE, 20);
+        let work = scheduler.next().expect("there is work");
+        scheduler.complete(work, 0.01);
+        scheduler.restart(SIZE, 20);
+        assert!(scheduler.patience_seconds() <= Scheduler::PATIENCE_SECONDS, "it is not for ever");
     }
 
     #[test]

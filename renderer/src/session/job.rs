@@ -16,8 +16,6 @@ use crate::spectrum::Bins;
 use crate::statistics::Statistics;
 use crate::tracer::{Device, Tracer, View};
 
-/// Time that the first round has for a picture before it gives way to a newer request.
-const PATIENCE: Duration = Duration::from_millis((1e3 * Scheduler::PATIENCE_SECONDS) as u64);
 /// Least time between two published states of an accumulating film.
 const PUBLISH_INTERVAL: Duration = Duration::from_millis((1e3 * Scheduler::PUBLISH_SECONDS) as u64);
 
@@ -67,7 +65,7 @@ impl<T: Tracer> Job<T> {
         self.exposure.is_some() && self.request.makes_same_film(request)
     }
 
-    /// Traces until the picture is done or there is news. The first round of a film lets newer
+    /// Traces until the picture is done or there is news. The first round lets newer
     /// requests wait for a moment, so that pictures keep coming while a hand drags.
     pub(super) fn serve<D: Device>(
         &mut self,
@@ -77,11 +75,8 @@ impl<T: Tracer> Job<T> {
         scheduler: &mut Scheduler,
         generation: Generation,
     ) -> Result<(), Fault> {
-        let mut patience = PATIENCE;
         while let Some(work) = scheduler.next() {
-            if !work.begins_film {
-                patience = Duration::ZERO;
-            }
+            let patience = Duration::from_secs_f64(scheduler.patience_seconds());
             let mut exposure = self.exposure_for(work, tracer)?;
             let started = Instant::now();
             let traced = tracer.trace(
@@ -108,7 +103,6 @@ impl<T: Tracer> Job<T> {
             };
             let seconds = started.elapsed().as_secs_f64();
             scheduler.complete(work, seconds);
-            patience = Duration::ZERO;
             exposure.add(work.passes, &statistics, seconds);
             let is_done = scheduler.next().is_none();
             self.exposure = Some(exposure);
