@@ -120,22 +120,26 @@ fn from_pixels(pixels: &[[f32; 3]]) -> [f32x8; 3] {
 
 #[cfg(test)]
 mod tests {
-    use super::super::gpu::DEVELOP;
-    use super::super::gpu::layout::{layout, rust_layout};
+    use super::super::gpu::source;
     use super::Development;
+    use crate::shaders::DEVELOP;
+    use crate::shaders::layout::{assert_twins, parse};
 
     #[test]
     fn the_shader_reads_a_development_as_it_is_written() {
-        let members = rust_layout!(Development {
-            red_from_xyz,
-            tone_curve,
-            green_from_xyz,
-            gamut_mapping,
-            blue_from_xyz,
-            padding_0,
-            luminance_from_xyz,
-            padding_1,
-        });
-        assert_eq!(layout(&DEVELOP, "Development"), members);
+        let module = parse(&source(DEVELOP));
+        assert_twins!(
+            &module,
+            Development {
+                red_from_xyz,
+                tone_curve,
+                green_from_xyz,
+                gamut_mapping,
+                blue_from_xyz,
+                padding_0,
+                luminance_from_xyz,
+                padding_1,
+            }
+        );
     }
 }

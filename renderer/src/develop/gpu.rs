@@ -1,8 +1,6 @@
 //! Developing on a graphics device: the film is neither traced again nor read back.
 
 mod expose;
-#[cfg(test)]
-pub(super) mod layout;
 mod xyz_image;
 
 use wgpu::{BindingResource, BufferUsages, ComputePipeline, Device, TextureFormat, TextureUsages};
@@ -14,22 +12,10 @@ use super::tone_curve::REINHARD_WHITE;
 use crate::error::RendererError;
 use crate::gpu::Graphics;
 use crate::settings::ToneCurve;
+use crate::shaders::{Constant, DEVELOP, EXPOSE, ShaderModule, append, print};
 
 /// Side of the square of pixels that a workgroup takes.
 const WORKGROUP_SIDE: u32 = 8;
-
-/// From the film to CIE XYZ.
-const EXPOSE: [&str; 2] =
-    [include_str!("../shaders/finite.wgsl"), include_str!("../shaders/xyz.wgsl")];
-
-/// From CIE XYZ to sRGB codes.
-pub(super) const DEVELOP: [&str; 5] = [
-    include_str!("../shaders/finite.wgsl"),
-    include_str!("../shaders/tone_curve.wgsl"),
-    include_str!("../shaders/gamut.wgsl"),
-    include_str!("../shaders/srgb8.wgsl"),
-    include_str!("../shaders/development.wgsl"),
-];
 
 /// Exposes and develops films in the memory of a graphics device. Cloning shares it.
 #[derive(Clone, Debug)]
@@ -48,7 +34,7 @@ impl GpuDeveloper {
         let [expose, develop] = graphics.guard("compile the shaders that develop", |device| {
             // What a device can't make shows now, and not with the first picture.
             let _ = (exposed_texture(device, [1, 1]), developed_texture(device, [1, 1]));
-            [pipeline(device, "expose", &EXPOSE), pipeline(device, "develop", &DEVELOP)]
+            [pipeline(device, "expose", EXPOSE), pipeline(device, "develop", DEVELOP)]
         })?;
         Ok(Self { graphics: graphics.clone(), expose, develop })
     }
@@ -126,7 +112,7 @@ fn texture(
 }
 
 /// The only entry point of `modules`.
-fn pipeline(device: &Device, label: &str, modules: &[&str]) -> ComputePipeline {
+fn pipeline(device: &Device, label: &str, modules: &[ShaderModule]) -> ComputePipeline {
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some(label),
         source: wgpu::ShaderSource::Wgsl(source(modules).into()),
@@ -142,34 +128,28 @@ fn pipeline(device: &Device, label: &str, modules: &[&str]) -> ComputePipeline {
 }
 
 /// The modules behind the constants that they share with the processor.
-fn source(modules: &[&str]) -> String {
-    let [reinhard, filmic] = [ToneCurve::Reinhard, ToneCurve::Filmic].map(|curve| curve as u32);
-    let constants = format!(
-        "const WORKGROUP_SIDE = {WORKGROUP_SIDE}u;\n\
-         const REINHARD = {reinhard}u;\n\
-         const FILMIC = {filmic}u;\n\
-         const REINHARD_WHITE = {REINHARD_WHITE:?}f;\n"
-    );
-    constants + &modules.join("\n")
+pub(super) fn source(modules: &[ShaderModule]) -> String {
+    let mut source = print([
+        ("WORKGROUP_SIDE", Constant::U32(WORKGROUP_SIDE)),
+        ("REINHARD", Constant::U32(ToneCurve::Reinhard as u32)),
+        ("FILMIC", Constant::U32(ToneCurve::Filmic as u32)),
+        ("REINHARD_WHITE", Constant::F32(REINHARD_WHITE)),
+    ]);
+    append(&mut source, modules);
+    source
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use wgpu::naga::front::wgsl;
-    use wgpu::naga::valid::{Capabilities, ValidationFlags, Validator};
+    use crate::shaders::layout::parse;
 
     /// A module needs only what stands before it.
     #[test]
     fn every_prefix_of_the_shaders_is_valid() {
-        for modules in [&EXPOSE[..], &DEVELOP[..]] {
+        for modules in [EXPOSE, DEVELOP] {
             for count in 0..=modules.len() {
-                let source = source(&modules[..count]);
-                let module = wgsl::parse_str(&source)
-                    .unwrap_or_else(|error| panic!("{}", error.emit_to_string(&source)));
-                Validator::new(ValidationFlags::all(), Capabilities::empty())
-                    .validate(&module)
-                    .unwrap_or_else(|error| panic!("{}", error.emit_to_string(&source)));
+                parse(&source(&modules[..count]));
             }
         }
     }

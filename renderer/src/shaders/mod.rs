@@ -6,6 +6,9 @@
 //! together: `tests/shaders` compares layouts, names and what the functions give, `tests/parity`
 //! whole films.
 
+#[cfg(test)]
+pub(crate) mod layout;
+
 use std::f32::consts::{FRAC_1_PI, TAU};
 use std::fmt::Write as _;
 
@@ -50,27 +53,55 @@ pub const KERNEL: &[ShaderModule] = modules![
     "trace",
 ];
 
+/// What runs the kernel on a graphics device.
+pub(crate) const WALKERS: &[ShaderModule] = modules!["walkers"];
+
+/// From the film to CIE XYZ.
+pub(crate) const EXPOSE: &[ShaderModule] = modules!["finite", "xyz"];
+
+/// From CIE XYZ to sRGB codes.
+pub(crate) const DEVELOP: &[ShaderModule] =
+    modules!["finite", "tone_curve", "gamut", "srgb8", "development"];
+
 /// The constants of the kernel, and then `modules`: a whole shader.
 pub fn join(modules: &[ShaderModule]) -> String {
-    let mut source = constants();
+    let mut source = kernel_constants();
+    append(&mut source, modules);
+    source
+}
+
+/// Adds `modules` to the text of a shader.
+pub(crate) fn append(source: &mut String, modules: &[ShaderModule]) {
     for module in modules {
         source.push('\n');
         source.push_str(module.source);
     }
-    source
 }
 
 /// A constant as WGSL spells it.
-enum Constant {
+pub(crate) enum Constant {
     U32(u32),
     F32(f32),
     Vec2U([u32; 2]),
 }
 
-fn constants() -> String {
-    use Constant::{F32, U32, Vec2U};
+/// Constants of Rust for a shader to begin with.
+pub(crate) fn print<const N: usize>(constants: [(&str, Constant); N]) -> String {
     let mut source = String::new();
-    for (name, constant) in [
+    for (name, constant) in constants {
+        let written = match constant {
+            Constant::U32(value) => writeln!(source, "const {name} = {value}u;"),
+            Constant::F32(value) => writeln!(source, "const {name} = {value:?}f;"),
+            Constant::Vec2U([x, y]) => writeln!(source, "const {name} = vec2u({x}u, {y}u);"),
+        };
+        written.expect("a string takes all that is written to it");
+    }
+    source
+}
+
+fn kernel_constants() -> String {
+    use Constant::{F32, U32, Vec2U};
+    print([
         ("NONE", U32(packed::NONE)),
         ("CONVEX", U32(packed::CONVEX)),
         ("INDEX_TABLE_LEN", U32(packed::INDEX_TABLE_LEN as u32)),
@@ -96,13 +127,5 @@ fn constants() -> String {
         ("TOP_STACK", U32(intersect::TOP_STACK as u32)),
         ("NUDGE", F32(intersect::NUDGE)),
         ("STACK_LEN", U32(walk::STACK_LEN as u32)),
-    ] {
-        let written = match constant {
-            U32(value) => writeln!(source, "const {name} = {value}u;"),
-            F32(value) => writeln!(source, "const {name} = {value:?}f;"),
-            Vec2U([x, y]) => writeln!(source, "const {name} = vec2u({x}u, {y}u);"),
-        };
-        written.expect("a string takes all that is written to it");
-    }
-    source
+    ])
 }

@@ -99,13 +99,14 @@ fn weights(bins: Bins, passes: u32) -> Vec<[f32; 4]> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::EXPOSE;
-    use super::super::layout::{layout, rust_layout};
+    use super::super::source;
     use super::*;
+    use crate::shaders::EXPOSE;
+    use crate::shaders::layout::{assert_twins, parse};
 
     #[test]
     fn the_shader_reads_rows_as_they_are_written() {
-        let members = rust_layout!(Rows { width, first_row, row_count, bin_count });
-        assert_eq!(layout(&EXPOSE, "Rows"), members);
+        let module = parse(&source(EXPOSE));
+        assert_twins!(&module, Rows { width, first_row, row_count, bin_count });
     }
 }

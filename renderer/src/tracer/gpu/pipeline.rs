@@ -9,7 +9,7 @@ use super::progress::{ACCOUNT_COUNT, ENERGY_UNIT, SUM_COUNT};
 use super::walkers::STACK_BYTES;
 use crate::error::RendererError;
 use crate::gpu::Graphics;
-use crate::shaders::{KERNEL, join};
+use crate::shaders::{Constant, KERNEL, WALKERS, append, join, print};
 
 /// Walkers of a workgroup.
 pub(super) const WORKGROUP_SIZE: u32 = 64;
@@ -17,8 +17,6 @@ pub(super) const WORKGROUP_SIZE: u32 = 64;
 pub(super) const SCENE_BUFFERS: u32 = 10;
 /// The frame, the stack and the radiance; the film, the walkers and the progress.
 const WORK_BUFFERS: u32 = 6;
-
-const WALKERS: &str = include_str!("../../shaders/walkers.wgsl");
 
 /// The kernel compiled for a device, with the layouts of its three groups of bindings. Cloning
 /// shares it.
@@ -65,13 +63,15 @@ impl WalkPipeline {
 
 /// The kernel and the walkers that run it.
 fn source() -> String {
-    let constants = format!(
-        "const WORKGROUP_SIZE = {WORKGROUP_SIZE}u;\n\
-         const ACCOUNT_COUNT = {ACCOUNT_COUNT}u;\n\
-         const SUM_COUNT = {SUM_COUNT}u;\n\
-         const ENERGY_UNIT = {ENERGY_UNIT:?}f;\n"
-    );
-    [join(KERNEL), constants, WALKERS.to_owned()].join("\n")
+    let mut source = print([
+        ("WORKGROUP_SIZE", Constant::U32(WORKGROUP_SIZE)),
+        ("ACCOUNT_COUNT", Constant::U32(ACCOUNT_COUNT as u32)),
+        ("SUM_COUNT", Constant::U32(SUM_COUNT as u32)),
+        ("ENERGY_UNIT", Constant::F32(ENERGY_UNIT)),
+    ]);
+    source.push_str(&join(KERNEL));
+    append(&mut source, WALKERS);
+    source
 }
 
 /// What the device has of each thing that the kernel needs.
@@ -141,55 +141,18 @@ pub(super) fn bind(
 
 #[cfg(test)]
 mod tests {
-    use std::mem::offset_of;
-
-    use wgpu::naga::front::wgsl;
-    use wgpu::naga::valid::{Capabilities, ValidationFlags, Validator};
-    use wgpu::naga::{Module, TypeInner};
-
     use super::super::frame::Frame;
     use super::super::progress::{Account, Progress};
     use super::super::walkers::{RAY_BYTES, WALKER_BYTES};
     use super::*;
-
-    fn module() -> Module {
-        let source = source();
-        let module = wgsl::parse_str(&source);
-        let module = module.unwrap_or_else(|error| panic!("{}", error.emit_to_string(&source)));
-        let mut validator = Validator::new(ValidationFlags::all(), Capabilities::empty());
-        let validity = validator.validate(&module);
-        validity.unwrap_or_else(|error| panic!("{}", error.emit_to_string(&source)));
-        module
-    }
-
-    /// Size of a struct of the shader, and its members with their offsets.
-    fn layout_of(module: &Module, name: &str) -> (usize, Vec<(String, usize)>) {
-        let found = module.types.iter().find(|(_, ty)| ty.name.as_deref() == Some(name));
-        let TypeInner::Struct { members, span } = &found.expect(name).1.inner else {
-            panic!("{name} is no struct");
-        };
-        let member = |member: &wgpu::naga::StructMember| {
-            (member.name.clone().unwrap_or_default(), member.offset as usize)
-        };
-        (*span as usize, members.iter().map(member).collect())
-    }
-
-    macro_rules! assert_twins {
-        ($module:expr, $type:ident, [$($member:ident),* $(,)?]) => {
-            let members = vec![
-                $((stringify!($member).to_owned(), offset_of!($type, $member))),*
-            ];
-            assert_eq!(layout_of($module, stringify!($type)), (size_of::<$type>(), members));
-        };
-    }
+    use crate::shaders::layout::{assert_twins, layout_of, parse};
 
     #[test]
     fn both_sides_lay_out_the_same_structs() {
-        let module = &module();
+        let module = &parse(&source());
         assert_twins!(
             module,
-            Frame,
-            [
+            Frame {
                 position,
                 width,
                 forward,
@@ -209,10 +172,10 @@ mod tests {
                 disc_count,
                 top_node_count,
                 first_walker,
-            ]
+            }
         );
-        assert_twins!(module, Account, [items, max_segments, sums]);
-        assert_twins!(module, Progress, [next_item, accounts]);
+        assert_twins!(module, Account { items, max_segments, sums });
+        assert_twins!(module, Progress { next_item, accounts });
         assert_eq!(layout_of(module, "Walker").0 as u64, WALKER_BYTES);
         assert_eq!(layout_of(module, "Ray").0 as u64, RAY_BYTES);
     }
