@@ -58,6 +58,8 @@ struct PicturePainter {
     pipeline: wgpu::RenderPipeline,
     layout: wgpu::BindGroupLayout,
     format: wgpu::TextureFormat,
+    /// For a picture of the screen's pixels, and for a smooth one.
+    samplers: [wgpu::Sampler; 2],
     shown: Option<Shown>,
 }
 
@@ -80,7 +82,9 @@ impl PicturePainter {
         } else {
             wgpu::TextureFormat::Rgba8Unorm
         };
-        Self { pipeline, layout, format, shown: None }
+        let samplers = [wgpu::FilterMode::Nearest, wgpu::FilterMode::Linear]
+            .map(|filter| sampler(device, filter));
+        Self { pipeline, layout, format, samplers, shown: None }
     }
 
     /// Binds `picture` unless that is done; one that only the processor's memory holds is uploaded.
@@ -136,13 +140,6 @@ impl PicturePainter {
         texture: &wgpu::Texture,
         smooth: bool,
     ) -> wgpu::BindGroup {
-        let filter = if smooth { wgpu::FilterMode::Linear } else { wgpu::FilterMode::Nearest };
-        let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
-            label: Some("picture"),
-            mag_filter: filter,
-            min_filter: filter,
-            ..wgpu::SamplerDescriptor::default()
-        });
         let view = texture.create_view(&wgpu::TextureViewDescriptor {
             label: Some("picture"),
             format: Some(self.format),
@@ -159,7 +156,7 @@ impl PicturePainter {
                 },
                 wgpu::BindGroupEntry {
                     binding: 1,
-                    resource: wgpu::BindingResource::Sampler(&sampler),
+                    resource: wgpu::BindingResource::Sampler(&self.samplers[usize::from(smooth)]),
                 },
             ],
         })
@@ -172,6 +169,15 @@ impl PicturePainter {
             pass.draw(0..3, 0..1);
         }
     }
+}
+
+fn sampler(device: &wgpu::Device, filter: wgpu::FilterMode) -> wgpu::Sampler {
+    device.create_sampler(&wgpu::SamplerDescriptor {
+        label: Some("picture"),
+        mag_filter: filter,
+        min_filter: filter,
+        ..wgpu::SamplerDescriptor::default()
+    })
 }
 
 fn bindings_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {

@@ -7,11 +7,10 @@ use brilliance_renderer::kernel::walk::TraceRules;
 use brilliance_renderer::packed::{
     BvhNode, Instance, PackedDisc, PackedGround, PackedMaterial, PackedSky, PackedTriangle,
 };
-use brilliance_renderer::shaders::{KERNEL, join};
+use brilliance_renderer::shaders::{Frame, KERNEL, join};
 use glam::{Vec3, Vec4};
 use wgpu::naga::{AddressSpace, ArraySize, Handle, Module, Scalar, StructMember, Type, TypeInner};
 
-use crate::probe::Frame;
 use crate::wgsl::parse;
 
 /// Structs of the shaders that have no twin of the same layout.

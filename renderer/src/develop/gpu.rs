@@ -10,7 +10,7 @@ pub use xyz_image::GpuXyzImage;
 
 use super::tone_curve::REINHARD_WHITE;
 use crate::error::RendererError;
-use crate::gpu::Graphics;
+use crate::gpu::{Graphics, bind};
 use crate::settings::ToneCurve;
 use crate::shaders::{Constant, DEVELOP, EXPOSE, ShaderModule, append, print};
 
@@ -51,14 +51,7 @@ impl GpuDeveloper {
         let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
         pass.set_pipeline(pipeline);
         for ([width, height], resources) in runs {
-            let entries = (0..).zip(resources);
-            let entries =
-                entries.map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource });
-            let group = device.create_bind_group(&wgpu::BindGroupDescriptor {
-                label: None,
-                layout: &pipeline.get_bind_group_layout(0),
-                entries: &entries.collect::<Vec<_>>(),
-            });
+            let group = bind(device, &pipeline.get_bind_group_layout(0), resources);
             pass.set_bind_group(0, &group, &[]);
             let groups = [width, height].map(|pixels| pixels.div_ceil(WORKGROUP_SIDE));
             pass.dispatch_workgroups(groups[0], groups[1], 1);

@@ -128,3 +128,18 @@ impl Graphics {
         self.shared.loss.get().map(String::as_str)
     }
 }
+
+/// Binds resources in the order of their numbers.
+pub(crate) fn bind<'a>(
+    device: &wgpu::Device,
+    layout: &wgpu::BindGroupLayout,
+    resources: impl IntoIterator<Item = wgpu::BindingResource<'a>>,
+) -> wgpu::BindGroup {
+    let entries = (0..).zip(resources);
+    let entries = entries.map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource });
+    device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: None,
+        layout,
+        entries: &entries.collect::<Vec<_>>(),
+    })
+}

@@ -6,11 +6,14 @@
 //! together: `tests/shaders` compares layouts, names and what the functions give, `tests/parity`
 //! whole films.
 
+mod frame;
 #[cfg(test)]
 pub(crate) mod layout;
 
 use std::f32::consts::{FRAC_1_PI, TAU};
 use std::fmt::Write as _;
+
+pub use frame::Frame;
 
 use crate::kernel::mesh::Sides;
 use crate::kernel::{interface, intersect, mesh, ray, rng, spread, walk};

@@ -1,7 +1,6 @@
 //! The GPU tracer: many walkers, each at one camera ray's tree, in dispatches of bounded time.
 
 mod film;
-mod frame;
 mod pace;
 mod pipeline;
 mod progress;
@@ -11,12 +10,9 @@ mod walkers;
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use bytemuck::Zeroable;
-
 pub use film::GpuFilm;
 pub use scene::GpuScene;
 
-use self::frame::Frame;
 use self::pipeline::WalkPipeline;
 use self::rounds::{Dispatcher, Order};
 use self::walkers::Walkers;
@@ -140,23 +136,7 @@ impl Tracer for GpuTracer {
                 film.bins().count()
             )));
         }
-        let [width, height] = film.size();
-        let frame = Frame {
-            position: view.frame.position,
-            width,
-            forward: view.frame.forward,
-            height,
-            right: view.frame.right,
-            up: view.frame.up,
-            rules: rules(view, settings),
-            sky: scene.sky,
-            ground: scene.ground,
-            bin_count: scene.bins.count() as u32,
-            bin_width_nm: scene.bins.width_nm(),
-            disc_count: scene.disc_count,
-            top_node_count: scene.top_node_count,
-            ..Frame::zeroed()
-        };
+        let frame = scene.frame.seen(&view.frame, film.size(), rules(view, settings));
         let (graphics, pipeline) = (&self.graphics, &self.pipeline);
         let order = Order { graphics, pipeline, scene, is_cancelled };
         let statistics = self.dispatcher().trace(order, film, frame, passes)?;

@@ -6,12 +6,11 @@ use std::sync::OnceLock;
 
 use brilliance_renderer::gpu::Graphics;
 use brilliance_renderer::kernel::walk::STACK_LEN;
-use brilliance_renderer::shaders::{ShaderModule, join};
+use brilliance_renderer::shaders::{Frame, ShaderModule, join};
 use bytemuck::{Pod, cast_slice};
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{BufferBindingType, BufferUsages, ErrorFilter};
 
-use super::frame::Frame;
 use super::{Case, Probe, World};
 
 const PROBE: ShaderModule = ShaderModule { name: "probe", source: include_str!("probe.wgsl") };
@@ -100,7 +99,10 @@ impl Shader {
             storage(&scene.discs),
         ];
         let group = self.group(0, &buffers);
-        let frame = storage(&[Frame::new(world)]);
+        let World { scene, camera, size, rules, .. } = world;
+        let mut frame = Frame::of(scene).seen(camera, *size, *rules);
+        frame.pixel_count = size[0] * size[1];
+        let frame = storage(&[frame]);
         LoadedWorld { shader: self, world, group, frame }
     }
 

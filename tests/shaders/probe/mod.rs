@@ -2,7 +2,6 @@
 
 mod device;
 mod dice;
-mod frame;
 mod tolerance;
 mod words;
 mod world;
@@ -12,7 +11,6 @@ use std::fmt::Write as _;
 use brilliance_renderer::shaders::{KERNEL, ShaderModule};
 
 pub(crate) use dice::{Dice, throw};
-pub(crate) use frame::Frame;
 pub(crate) use tolerance::{EXACT, ROUNDING, Tolerance};
 pub(crate) use words::{Case, Put, Take};
 pub(crate) use world::World;

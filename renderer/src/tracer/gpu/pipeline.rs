@@ -1,8 +1,8 @@
 //! The compiled kernel, and what a device must have to run it.
 
 use wgpu::{
-    BindGroup, BindGroupLayout, BindGroupLayoutEntry, BindingType, BufferBindingType,
-    ComputePipeline, ShaderStages,
+    BindGroupLayout, BindGroupLayoutEntry, BindingType, BufferBindingType, ComputePipeline,
+    ShaderStages,
 };
 
 use super::progress::{ACCOUNT_COUNT, ENERGY_UNIT, SUM_COUNT};
@@ -122,29 +122,12 @@ fn layout(device: &wgpu::Device, label: &str, buffers: &[BufferBindingType]) -> 
     })
 }
 
-/// Whole buffers in the order of their bindings.
-pub(super) fn bind(
-    device: &wgpu::Device,
-    layout: &BindGroupLayout,
-    buffers: &[&wgpu::Buffer],
-) -> BindGroup {
-    let entries = (0..).zip(buffers).map(|(binding, buffer)| wgpu::BindGroupEntry {
-        binding,
-        resource: buffer.as_entire_binding(),
-    });
-    device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: None,
-        layout,
-        entries: &entries.collect::<Vec<_>>(),
-    })
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::frame::Frame;
     use super::super::progress::{Account, Progress};
     use super::super::walkers::{RAY_BYTES, WALKER_BYTES};
     use super::*;
+    use crate::shaders::Frame;
     use crate::shaders::layout::{assert_twins, layout_of, parse};
 
     #[test]

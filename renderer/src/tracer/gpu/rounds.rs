@@ -8,7 +8,6 @@ use bytemuck::bytes_of;
 use wgpu::{BindGroup, CommandEncoder};
 
 use super::film::GpuFilm;
-use super::frame::Frame;
 use super::pace::{Pace, Ration};
 use super::pipeline::{WORKGROUP_SIZE, WalkPipeline};
 use super::progress::{Headway, Progress};
@@ -16,6 +15,7 @@ use super::scene::GpuScene;
 use super::walkers::Walkers;
 use crate::error::RendererError;
 use crate::gpu::{Arrival, Graphics, Readback};
+use crate::shaders::Frame;
 use crate::statistics::Statistics;
 
 /// Most items of a round, so that the walkers' counter, which runs on past the last, can't run over.

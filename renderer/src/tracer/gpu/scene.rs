@@ -5,10 +5,11 @@ use std::sync::Arc;
 use bytemuck::{NoUninit, Zeroable, bytes_of, cast_slice};
 use wgpu::{BindGroup, BufferUsages};
 
-use super::pipeline::{WalkPipeline, bind};
+use super::pipeline::WalkPipeline;
 use crate::error::RendererError;
-use crate::gpu::Graphics;
-use crate::packed::{PackedGround, PackedScene, PackedSky};
+use crate::gpu::{Graphics, bind};
+use crate::packed::PackedScene;
+use crate::shaders::Frame;
 use crate::spectrum::Bins;
 
 /// A scene in the memory of a graphics device.
@@ -18,10 +19,8 @@ pub struct GpuScene {
     pub(super) identity: Arc<()>,
     pub(super) bins: Bins,
     pub(super) group: BindGroup,
-    pub(super) sky: PackedSky,
-    pub(super) ground: PackedGround,
-    pub(super) disc_count: u32,
-    pub(super) top_node_count: u32,
+    /// What the kernel is told of it beside its arrays.
+    pub(super) frame: Frame,
 }
 
 impl GpuScene {
@@ -47,17 +46,10 @@ impl GpuScene {
             upload(graphics, "lights", &scene.discs)?,
         ];
         let group = graphics.guard("hold the scene", |device| {
-            bind(device, &pipeline.scene_layout, &buffers.each_ref())
+            let buffers = buffers.iter().map(wgpu::Buffer::as_entire_binding);
+            bind(device, &pipeline.scene_layout, buffers)
         })?;
-        Ok(Self {
-            identity: Arc::new(()),
-            bins: scene.bins,
-            group,
-            sky: scene.sky,
-            ground: scene.ground,
-            disc_count: scene.discs.len() as u32,
-            top_node_count: scene.top_nodes.len() as u32,
-        })
+        Ok(Self { identity: Arc::new(()), bins: scene.bins, group, frame: Frame::of(scene) })
     }
 }
 

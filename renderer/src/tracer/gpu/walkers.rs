@@ -2,14 +2,14 @@
 
 use wgpu::{BindGroup, BufferUsages, DeviceType};
 
-use super::frame::Frame;
-use super::pipeline::{WORKGROUP_SIZE, WalkPipeline, bind};
+use super::pipeline::{WORKGROUP_SIZE, WalkPipeline};
 use super::progress::Progress;
 use crate::error::RendererError;
-use crate::gpu::Graphics;
+use crate::gpu::{Graphics, bind};
 use crate::kernel::ray::Ray;
 use crate::kernel::walk::STACK_LEN;
 use crate::settings::TraceSettings;
+use crate::shaders::Frame;
 
 /// A ray in an array of the shader, where vectors start at multiples of 16 bytes.
 pub(super) const RAY_BYTES: u64 = size_of::<Ray>().next_multiple_of(16) as u64;
@@ -68,7 +68,11 @@ impl Walkers {
         let states = buffer("walkers", each * WALKER_BYTES, storage | copy_to);
         let progress = size_of::<Progress>() as u64;
         let progress = buffer("progress", progress, storage | copy_to | BufferUsages::COPY_SRC);
-        let walk_group = bind(device, &pipeline.walk_layout, &[&frame, &stack, &radiance]);
+        let walk_group = bind(
+            device,
+            &pipeline.walk_layout,
+            [&frame, &stack, &radiance].map(wgpu::Buffer::as_entire_binding),
+        );
         Self { groups, frame, states, progress, walk_group }
     }
 
@@ -99,7 +103,8 @@ impl Walkers {
         pipeline: &WalkPipeline,
         film: &wgpu::Buffer,
     ) -> BindGroup {
-        bind(device, &pipeline.film_layout, &[film, &self.states, &self.progress])
+        let buffers = [film, &self.states, &self.progress];
+        bind(device, &pipeline.film_layout, buffers.map(wgpu::Buffer::as_entire_binding))
     }
 
     /// Makes the walkers forget all that they were at, and the counts with it.
