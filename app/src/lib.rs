@@ -22,6 +22,7 @@ pub mod panels;
 pub mod path_dialog;
 pub mod picture_painter;
 pub mod question;
+pub(crate) mod ray_words;
 pub mod row;
 pub mod status;
 pub mod task;
