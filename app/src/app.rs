@@ -20,8 +20,9 @@ use crate::editor::Editor;
 use crate::export::{ExportWindow, RenderStill, render_and_write};
 use crate::first_picture::FirstPicture;
 use crate::help::Help;
+use crate::inspector::Inspector;
 use crate::live::Live;
-use crate::menu;
+use crate::menu::{self, Shown};
 use crate::notice::Notices;
 use crate::opening::Opening;
 use crate::orbit::Orbit;
@@ -65,6 +66,7 @@ pub struct App {
     viewport_focused: bool,
     panel: PanelState,
     panel_shown: bool,
+    inspector: Inspector,
     notices: Notices,
     files: Files,
     paths: PathDialog,
@@ -100,6 +102,7 @@ impl App {
             viewport_focused: false,
             panel: PanelState::default(),
             panel_shown: true,
+            inspector: Inspector::default(),
             notices,
             files,
             first_picture: FirstPicture::new(services.started),
@@ -162,6 +165,16 @@ impl App {
         &self.title
     }
 
+    /// What is picked in the picture.
+    pub fn inspector(&self) -> &Inspector {
+        &self.inspector
+    }
+
+    /// Which of the panels are open.
+    fn shown(&self) -> Shown {
+        Shown { panel: self.panel_shown, inspector: self.inspector.is_shown() }
+    }
+
     /// The document as it would be saved: with the camera as it is now.
     fn document_to_save(&self) -> Document {
         let mut document = self.editor.document.clone();
@@ -173,6 +186,7 @@ impl App {
     fn replace(&mut self, editor: Editor) {
         self.editor = editor;
         self.panel = PanelState::default();
+        self.inspector.clear();
         self.update_scene();
         self.orbit = Orbit::from_camera(&self.scene.camera);
     }
@@ -198,7 +212,7 @@ impl App {
 
     fn menu_ui(&mut self, ui: &mut Ui) {
         let tracers = self.tracers();
-        if let Some(command) = menu::show(ui, &self.editor, self.panel_shown, &tracers) {
+        if let Some(command) = menu::show(ui, &self.editor, self.shown(), &tracers) {
             self.run(command, ui.ctx());
         }
     }
@@ -214,13 +228,20 @@ impl App {
     fn viewport_ui(&mut self, ui: &mut Ui) {
         let (picture, progress) = (self.session().picture(), self.session().progress());
         let shown = CentralPanel::no_frame().show(ui, |ui| {
-            viewport::show(ui, picture.as_ref(), &progress, &mut self.orbit, &self.bounds)
+            let picks = self.inspector.is_shown();
+            viewport::show(ui, picture.as_ref(), &progress, &mut self.orbit, &self.bounds, picks)
         });
         if picture.is_some() {
             self.first_picture.painted(ui.ctx());
         }
         self.viewport_size = shown.inner.size;
         self.viewport_focused = shown.inner.response.has_focus();
+        let camera = self.orbit.camera();
+        if let Some(pixels) = shown.inner.picked {
+            self.inspector.set_pick(pixels, self.viewport_size, camera);
+        }
+        let room = shown.inner.response.rect;
+        self.inspector.overlay(&ui.painter_at(room), room, self.viewport_size, &camera);
         if shown.inner.reset {
             self.run(Command::ResetCamera, ui.ctx());
         }
@@ -252,6 +273,7 @@ impl eframe::App for App {
         if self.panel_shown {
             self.panel_ui(ui);
         }
+        self.inspector.show(ui);
         self.viewport_ui(ui);
         self.overlays_ui(&ctx);
         // After the widgets, which take the keys that are meant for them.

@@ -13,6 +13,7 @@ pub mod export;
 pub mod first_picture;
 pub mod help;
 pub mod history;
+pub mod inspector;
 pub mod live;
 pub mod menu;
 pub mod notice;

@@ -3,6 +3,7 @@
 mod export;
 mod files;
 mod graphics;
+mod inspector;
 mod panel;
 mod picture;
 mod window;

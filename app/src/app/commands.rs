@@ -29,6 +29,7 @@ impl App {
             Command::Zoom(factor) => self.orbit.zoom(factor, [0.0, 0.0], &self.bounds),
             Command::TraceWith(backend) => self.live.set_backend(backend),
             Command::RetryGraphics => self.retry_graphics(),
+            Command::ToggleInspector => self.inspector.toggle(),
             Command::TogglePanel => self.panel_shown = !self.panel_shown,
             Command::ShowKeys => self.help = Some(Help::Keys),
             Command::Dismiss => {
