@@ -46,7 +46,7 @@ fn the_tree_is_told_line_by_line() {
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     let told = text(&output.stdout);
     for word in [
-        "pixel 22,25 of 48x48, pass 0",
+        "pixel 24,24 of 48x48, pass 0",
         "% returned",
         "% pruned",
         "camera 380.0–730.0 nm",

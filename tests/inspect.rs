@@ -190,7 +190,7 @@ fn interfaces_obey_snell_and_fresnel() {
         refractions += 1;
         assert!((refraction.to_radians().sin() - sine).abs() < 2e-4, "{event:?}");
         // Fresnel by the angles (Hecht, Optics, 4.6): sin² and tan² of difference over sum.
-        let [i, t] = [event.incidence_degrees, refraction].map(|angle| angle.to_radians());
+        let [i, t] = [event.incidence_degrees, refraction].map(f32::to_radians);
         if i > 0.02 {
             let across = ((i - t).sin() / (i + t).sin()).powi(2);
             let along = ((i - t).tan() / (i + t).tan()).powi(2);

@@ -34,22 +34,22 @@ pub(crate) fn end(end: &RayEnd) -> String {
 /// What an interface did to a ray: angles, indices, coefficients.
 pub(crate) fn interface(event: &InterfaceEvent) -> String {
     let InterfaceEvent { incidence_degrees, n_before, n_after, .. } = event;
-    let mut words = format!("at {incidence_degrees:.2}°");
-    match event.refraction_degrees {
-        Some(refraction_degrees) => words += &format!(" → {refraction_degrees:.2}°"),
-        None => words += ", totally reflected",
-    }
-    words += &format!(", n {n_before:.4} → {n_after:.4}");
-    if event.refraction_degrees.is_some() {
-        words += &format!(", R {:.4}, T {:.4}", event.reflectance, event.transmittance);
-    }
+    let indices = format!("n {n_before:.4} → {n_after:.4}");
+    let mut words = match event.refraction_degrees {
+        Some(refraction_degrees) => vec![
+            format!("at {incidence_degrees:.2}° → {refraction_degrees:.2}°"),
+            indices,
+            format!("R {:.4}, T {:.4}", event.reflectance, event.transmittance),
+        ],
+        None => vec![format!("at {incidence_degrees:.2}°"), "totally reflected".into(), indices],
+    };
     if let Some(dividing_nm) = event.dividing_nm {
-        words += &format!(", total reflection divided at {dividing_nm:.2} nm");
+        words.push(format!("total reflection divided at {dividing_nm:.2} nm"));
     }
     if event.subrays > 1 {
-        words += &format!(", {} sub-rays", event.subrays);
+        words.push(format!("{} sub-rays", event.subrays));
     }
-    words
+    words.join(", ")
 }
 
 fn seen_light(seen: &SeenLight) -> String {
