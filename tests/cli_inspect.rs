@@ -56,7 +56,7 @@ fn the_tree_is_told_line_by_line() {
         "main",
         "→ pruned",
         "lamp ",
-        "n 1.0000 → 2.4",
+        "n 1.0000 to 2.4",
     ] {
         assert!(told.contains(word), "no {word:?} in {told}");
     }

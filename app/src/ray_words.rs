@@ -34,10 +34,10 @@ pub(crate) fn end(end: &RayEnd) -> String {
 /// What an interface did to a ray: angles, indices, coefficients.
 pub(crate) fn interface(event: &InterfaceEvent) -> String {
     let InterfaceEvent { incidence_degrees, n_before, n_after, .. } = event;
-    let indices = format!("n {n_before:.4} → {n_after:.4}");
+    let indices = format!("n {n_before:.4} to {n_after:.4}");
     let mut words = match event.refraction_degrees {
         Some(refraction_degrees) => vec![
-            format!("at {incidence_degrees:.2}° → {refraction_degrees:.2}°"),
+            format!("at {incidence_degrees:.2}° to {refraction_degrees:.2}°"),
             indices,
             format!("R {:.4}, T {:.4}", event.reflectance, event.transmittance),
         ],

@@ -32,9 +32,6 @@ use recording::Recording;
 use table::Table;
 use traced::Traced;
 
-/// Most rays that are copied to the clipboard: some tens of megabytes of text.
-const MOST_COPIED: usize = 20_000;
-
 /// In which order the rays are listed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Order {
@@ -142,9 +139,12 @@ impl Rays {
                 .decimals(0)
                 .show_f32(ui, &mut self.veil);
         });
-        list_ui(ui, &mut self.order, traced);
+        let orders = [(Order::Tree, "along the tree"), (Order::Strongest, "strongest first")];
+        choice(ui, "Order", "The order of the rays below.", &mut self.order, &orders);
+        ui.separator();
         let rows = rows(traced, &self.filter, self.order);
         detail::show(ui, traced, &mut self.focus);
+        table::heading_ui(ui);
         if rows.is_empty() {
             ui.label(RichText::new("No ray is like this.").color(theme::TEXT_WEAK));
         }
@@ -180,25 +180,6 @@ impl Rays {
             painter.ctx().request_repaint();
         }
     }
-}
-
-/// The order of the list, and the tree as data.
-fn list_ui(ui: &mut Ui, order: &mut Order, traced: &Traced) {
-    let orders = [(Order::Tree, "along the tree"), (Order::Strongest, "strongest first")];
-    choice(ui, "Order", "The order of the rays below.", order, &orders);
-    ui.horizontal(|ui| {
-        let can_copy = traced.tree.rays.len() <= MOST_COPIED;
-        let button = ui.add_enabled(can_copy, eframe::egui::Button::new("Copy as JSON"));
-        let button = button
-            .on_hover_text("Puts the whole tree on the clipboard, as brilliance inspect --json.")
-            .on_disabled_hover_text("Too many rays for the clipboard: brilliance inspect --json.");
-        if button.clicked()
-            && let Ok(json) = serde_json::to_string(&traced.tree)
-        {
-            ui.copy_text(json);
-        }
-    });
-    ui.separator();
 }
 
 /// The rays that the filter lets through.

@@ -2,15 +2,15 @@
 
 use brilliance_renderer::inspect::{RayEnd, RecordedRay};
 use eframe::egui::epaint::Mesh;
-use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, vec2};
+use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, vec2};
 use glam::Vec3;
 
 use super::brush::{self, Stripe, faded};
 use super::palette;
 use super::projection::{Projection, ScreenLine};
+use super::table::title_of;
 use super::traced::{Traced, sees_lamp};
 use super::{Focus, legend};
-use crate::ray_words;
 use crate::theme;
 
 /// Most rays that are drawn in a frame.
@@ -22,7 +22,7 @@ const NEARNESS: f32 = 7.0;
 /// Width of a slice of a fan's colours, in nm.
 const SLICE_NM: f32 = 12.0;
 /// How much of their strength rays keep beside a path that is looked at.
-const ASIDE: f32 = 0.22;
+const ASIDE: f32 = 0.3;
 
 /// What is drawn.
 pub(super) struct Drawing<'a> {
@@ -171,7 +171,7 @@ impl Drawing<'_> {
 
     fn paint_label(&self, painter: &Painter, placed: &Placed) {
         let ray = self.traced.ray(placed.id);
-        let mut words = ray_words::end(&ray.end);
+        let mut words = title_of(ray);
         if let RayEnd::Interface(event) = &ray.end {
             words = format!("{words}  {:.1}\u{b0}", event.incidence_degrees);
         }
@@ -186,7 +186,7 @@ impl Drawing<'_> {
             4.0,
             faded(theme::RAISED, 0.92),
             Stroke::new(1.0, faded(self.traced.color(placed.id), 0.6)),
-            eframe::egui::StrokeKind::Inside,
+            StrokeKind::Inside,
         );
         let text_at = Align2::CENTER_CENTER.align_size_within_rect(galley.size(), rect).min;
         painter.galley(text_at, galley, Color32::WHITE);

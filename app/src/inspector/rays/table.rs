@@ -4,7 +4,8 @@ use brilliance_renderer::inspect::{RayEnd, RecordedRay};
 use brilliance_renderer::spectrum::{LAMBDA_MAX_NM, LAMBDA_MIN_NM};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align2, Color32, FontId, Painter, Rect, Response, ScrollArea, Sense, Ui, WidgetInfo, pos2, vec2,
+    Align2, Color32, FontId, Painter, Pos2, Rect, Response, ScrollArea, Sense, Ui, WidgetInfo,
+    pos2, vec2,
 };
 
 use super::traced::{Traced, sees_lamp};
@@ -14,12 +15,12 @@ use crate::theme;
 
 const ROW_HEIGHT: f32 = 36.0;
 /// Where the text of a row begins.
-const TEXT_LEFT: f32 = 62.0;
+const TEXT_LEFT: f32 = 56.0;
 /// The track that shows where in the spectrum an interval lies.
 const TRACK_WIDTH: f32 = 46.0;
 /// Steps of depth that are shown by indentation, and how wide each is.
 const MOST_STEPS: u32 = 12;
-const STEP: f32 = 3.0;
+const STEP: f32 = 2.0;
 
 /// The table.
 pub(super) struct Table<'a> {
@@ -81,49 +82,50 @@ impl Table<'_> {
         let sample_at = pos2(rect.left() + 0.5 * TRACK_WIDTH, upper);
         legend::sample(painter, sample_at, ray.kind, self.traced.color(ray.id));
         paint_interval(painter, pos2(rect.left(), lower), ray);
-
-        let (strong, weak) = (FontId::proportional(13.0), FontId::proportional(11.5));
-        let left = rect.left() + TEXT_LEFT;
-        let significance = number(ray.significance);
-        let right = painter
-            .text(
-                pos2(rect.right(), upper),
-                Align2::RIGHT_CENTER,
-                significance,
-                strong.clone(),
-                theme::TEXT,
-            )
-            .left();
-        let title = Rect::from_x_y_ranges(left..=right - 8.0, rect.y_range());
-        painter.with_clip_rect(title.intersect(painter.clip_rect())).text(
-            pos2(left, upper),
-            Align2::LEFT_CENTER,
-            title_of(ray),
-            strong,
-            title_color(ray),
-        );
-        let right = painter
-            .text(
-                pos2(rect.right(), lower),
-                Align2::RIGHT_CENTER,
-                event_of(ray),
-                weak.clone(),
-                theme::TEXT_WEAK,
-            )
-            .left();
-        let interval = Rect::from_x_y_ranges(left..=right - 6.0, rect.y_range());
-        painter.with_clip_rect(interval.intersect(painter.clip_rect())).text(
-            pos2(left, lower),
-            Align2::LEFT_CENTER,
-            interval_of(ray),
-            weak,
-            theme::TEXT_WEAK,
-        );
+        let strong = FontId::proportional(13.0);
+        let texts = [title_of(ray), strength_of(ray)];
+        paint_texts(painter, rect, upper, texts, &strong, [title_color(ray), theme::TEXT]);
+        let interval = format!("{:.0}\u{2013}{:.0} nm", ray.lambda_low_nm, ray.lambda_high_nm);
+        let weak = FontId::proportional(11.5);
+        let texts = [interval, event_of(ray)];
+        paint_texts(painter, rect, lower, texts, &weak, [theme::TEXT_WEAK; 2]);
     }
 }
 
+/// Says what stands where in a row.
+pub(super) fn heading_ui(ui: &mut Ui) {
+    let size = vec2(ui.available_width(), 30.0);
+    let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
+    let rect = rect.shrink2(vec2(6.0, 0.0));
+    let font = FontId::proportional(11.5);
+    for (y, texts) in [
+        (rect.top() + 8.0, ["what it met or saw", "spread, significance"]),
+        (rect.bottom() - 8.0, ["interval", "index, angles, R and T"]),
+    ] {
+        let texts = texts.map(str::to_owned);
+        paint_texts(ui.painter(), rect, y, texts, &font, [theme::TEXT_WEAK; 2]);
+    }
+}
+
+/// Writes one text at the left, as far as there is room, and another at the right.
+fn paint_texts(
+    painter: &Painter,
+    rect: Rect,
+    y: f32,
+    [left, right]: [String; 2],
+    font: &FontId,
+    colors: [Color32; 2],
+) {
+    let right_at = pos2(rect.right(), y);
+    let taken = painter.text(right_at, Align2::RIGHT_CENTER, right, font.clone(), colors[1]);
+    let left_at = pos2(rect.left() + TEXT_LEFT, y);
+    let room = Rect::from_x_y_ranges(left_at.x..=taken.left() - 6.0, rect.y_range());
+    let painter = painter.with_clip_rect(room.intersect(painter.clip_rect()));
+    painter.text(left_at, Align2::LEFT_CENTER, left, font.clone(), colors[0]);
+}
+
 /// The spectrum with the ray's interval in its colours.
-fn paint_interval(painter: &Painter, left: eframe::egui::Pos2, ray: &RecordedRay) {
+fn paint_interval(painter: &Painter, left: Pos2, ray: &RecordedRay) {
     let x = |lambda_nm: f32| {
         let part = (lambda_nm - LAMBDA_MIN_NM) / (LAMBDA_MAX_NM - LAMBDA_MIN_NM);
         left.x + TRACK_WIDTH * part
@@ -176,21 +178,28 @@ fn event_of(ray: &RecordedRay) -> String {
     };
     let angles = match event.refraction_degrees {
         Some(refraction) => format!(
-            "{:.1}\u{b0} \u{2192} {refraction:.1}\u{b0}   R {:.3}  T {:.3}",
-            event.incidence_degrees, event.reflectance, event.transmittance
+            "{:.1}\u{b0} \u{203a} {refraction:.1}\u{b0}  R {}  T {}",
+            event.incidence_degrees,
+            part(event.reflectance),
+            part(event.transmittance)
         ),
-        None => format!("{:.1}\u{b0} total   R 1", event.incidence_degrees),
+        None => format!("{:.1}\u{b0} total  R 1", event.incidence_degrees),
     };
-    format!("n {:.3}   {angles}", event.n_before)
+    format!("n {:.3}  {angles}", event.n_before)
 }
 
-fn interval_of(ray: &RecordedRay) -> String {
-    let spread = if ray.spread_degrees >= 0.005 {
-        format!("  {:.2}\u{b0}", ray.spread_degrees)
+fn strength_of(ray: &RecordedRay) -> String {
+    let significance = number(ray.significance);
+    if ray.spread_degrees >= 0.005 {
+        format!("{:.2}\u{b0}   {significance}", ray.spread_degrees)
     } else {
-        String::new()
-    };
-    format!("{:.0}\u{2013}{:.0} nm{spread}", ray.lambda_low_nm, ray.lambda_high_nm)
+        significance
+    }
+}
+
+/// A part of 1 without the 0 before its point.
+fn part(part: f32) -> String {
+    format!("{part:.3}").trim_start_matches('0').to_owned()
 }
 
 /// The row for who can't see it.

@@ -1,11 +1,13 @@
 //! What became of the camera ray in all.
 
 use brilliance_renderer::inspect::{RayEnd, RayTree};
-use eframe::egui::{Color32, Rect, RichText, Sense, Ui, vec2};
+use eframe::egui::{Align, Button, Color32, Layout, Rect, RichText, Sense, Ui, pos2, vec2};
 
 use crate::ray_words;
 use crate::theme;
 
+/// Most rays that are copied to the clipboard: some tens of megabytes of text.
+const MOST_COPIED: usize = 20_000;
 const BAR_HEIGHT: f32 = 6.0;
 
 /// An account of the energy.
@@ -20,12 +22,16 @@ pub(super) fn show(ui: &mut Ui, tree: &RayTree) {
     let count = |is_counted: fn(&RayEnd) -> bool| {
         tree.rays.iter().filter(|ray| is_counted(&ray.end)).count()
     };
-    let rays = tree.rays.len() as u64 + tree.unrecorded_rays;
-    ui.label(format!(
-        "{rays} rays, {} pruned, {} saw lights",
+    let words = format!(
+        "{} rays, {} pruned, {} saw lights",
+        tree.rays.len() as u64 + tree.unrecorded_rays,
         count(|end| matches!(end, RayEnd::Pruned)),
         count(|end| matches!(end, RayEnd::Lights { .. })),
-    ));
+    );
+    ui.horizontal(|ui| {
+        ui.label(words);
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| copy_ui(ui, tree));
+    });
     if tree.is_truncated {
         let words = format!("{} of them are too many to be listed.", tree.unrecorded_rays);
         ui.label(RichText::new(words).color(theme::WARNING));
@@ -37,11 +43,26 @@ pub(super) fn show(ui: &mut Ui, tree: &RayTree) {
             // Where nothing is cut off or lost there is nothing to tell.
             if account.part > 0.0 || account.name == "pruned" {
                 let words = format!("{} {}", ray_words::percent(account.part as f32), account.name);
-                ui.label(RichText::new("\u{25a0}").small().color(account.color));
+                let (square, _) = ui.allocate_exact_size(vec2(8.0, 8.0), Sense::hover());
+                ui.painter().rect_filled(square, 1.0, account.color);
                 ui.label(RichText::new(words).small().color(theme::TEXT_WEAK));
             }
         }
     });
+}
+
+/// The tree as data.
+fn copy_ui(ui: &mut Ui, tree: &RayTree) {
+    let can_copy = tree.rays.len() <= MOST_COPIED;
+    let button = ui
+        .add_enabled(can_copy, Button::new("Copy as JSON").small())
+        .on_hover_text("Puts the whole tree on the clipboard, as brilliance inspect --json does.")
+        .on_disabled_hover_text("Too many rays for the clipboard: use brilliance inspect --json.");
+    if button.clicked()
+        && let Ok(json) = serde_json::to_string(tree)
+    {
+        ui.copy_text(json);
+    }
 }
 
 fn accounts(tree: &RayTree) -> [Account; 5] {
@@ -62,8 +83,7 @@ fn bar_ui(ui: &mut Ui, accounts: &[Account]) {
     let mut left = bar.left();
     for account in accounts {
         let width = bar.width() * account.part.clamp(0.0, 1.0) as f32;
-        let part =
-            Rect::from_min_size(eframe::egui::pos2(left, bar.top()), vec2(width, BAR_HEIGHT));
+        let part = Rect::from_min_size(pos2(left, bar.top()), vec2(width, BAR_HEIGHT));
         ui.painter().rect_filled(part.intersect(bar), 2.0, account.color);
         left += width;
     }
