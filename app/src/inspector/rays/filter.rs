@@ -72,6 +72,7 @@ impl Filter {
             f64::from(FAINTEST)..=1.0,
             FAINTEST,
         )
+        .percent()
         .decimals(2)
         .logarithmic()
         .show_f32(ui, &mut self.least_significance);

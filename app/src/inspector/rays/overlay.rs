@@ -16,13 +16,38 @@ use crate::theme;
 /// Most rays that are drawn in a frame.
 pub(super) const MOST_RAYS: usize = 4000;
 /// The strongest of them are told apart by dashes; of weaker ones only the light is seen.
-const MOST_DASHED: usize = 600;
+const MOST_DASHED: usize = 300;
 /// A pointer this near to a ray, in points, points to it.
 const NEARNESS: f32 = 7.0;
 /// Width of a slice of a fan's colours, in nm.
 const SLICE_NM: f32 = 12.0;
-/// How much of their strength rays keep beside a path that is looked at.
-const ASIDE: f32 = 0.3;
+
+/// How a ray is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Emphasis {
+    /// Like all the others.
+    Plain,
+    /// It is on the path that is looked at.
+    OnPath,
+    /// It is not, while there is one.
+    Aside,
+}
+
+impl Emphasis {
+    /// What its brightness is multiplied by.
+    fn strength(self) -> f32 {
+        match self {
+            Self::Plain => 1.0,
+            Self::OnPath => 1.7,
+            Self::Aside => 0.16,
+        }
+    }
+
+    /// Brightness and width of the glow about it, over those of the line.
+    fn halo(self) -> [f32; 2] {
+        if self == Self::OnPath { [0.4, 5.0] } else { [0.16, 3.0] }
+    }
+}
 
 /// What is drawn.
 pub(super) struct Drawing<'a> {
@@ -53,13 +78,13 @@ impl Drawing<'_> {
         let mut mesh = Mesh::default();
         for (rank, placed) in placed.iter().enumerate().rev() {
             if !path.contains(&placed.id) {
-                let strength = if path.is_empty() { 1.0 } else { ASIDE };
-                self.add_ray(&mut mesh, placed, strength, rank < MOST_DASHED);
+                let emphasis = if path.is_empty() { Emphasis::Plain } else { Emphasis::Aside };
+                self.add_ray(&mut mesh, placed, emphasis, rank < MOST_DASHED);
             }
         }
         // The path that is looked at lies on top, whether the filter shows it or not.
         for placed in path.iter().rev().filter_map(|&id| self.place(id)) {
-            self.add_ray(&mut mesh, &placed, 1.6, true);
+            self.add_ray(&mut mesh, &placed, Emphasis::OnPath, true);
         }
         painter.add(Shape::mesh(mesh));
         self.paint_ends(painter, &placed, &path);
@@ -104,9 +129,9 @@ impl Drawing<'_> {
         self.projection.line([ray.origin_mm, end]).map(|line| Placed { id, line })
     }
 
-    fn add_ray(&self, mesh: &mut Mesh, placed: &Placed, emphasis: f32, is_dashed: bool) {
+    fn add_ray(&self, mesh: &mut Mesh, placed: &Placed, emphasis: Emphasis, is_dashed: bool) {
         let ray = self.traced.ray(placed.id);
-        let strength = strength(ray.significance) * emphasis;
+        let strength = strength(ray.significance) * emphasis.strength();
         self.add_fan(mesh, ray, 0.55 * strength);
         let color = faded(self.traced.color(placed.id), strength);
         // Light that goes to no lamp is lost in the distance.
@@ -115,11 +140,12 @@ impl Drawing<'_> {
             .line
             .parts
             .map(|part| if fades { faded(color, 1.0 - 0.95 * part) } else { color });
-        let width = 0.5 + 1.3 * ray.significance.clamp(0.0, 1.0).sqrt() * emphasis.min(1.0);
+        let width = 0.5 + 1.3 * ray.significance.clamp(0.0, 1.0).sqrt();
+        let [glow, widening] = emphasis.halo();
         let halo = Stripe {
             ends: placed.line.ends,
-            colors: colors.map(|color| faded(color, 0.16)),
-            width: 3.0 * width + 1.0,
+            colors: colors.map(|color| faded(color, glow)),
+            width: widening * width + 1.0,
         };
         brush::stripe(mesh, &halo, None);
         let core = Stripe { colors, width, ..halo };
@@ -158,8 +184,9 @@ impl Drawing<'_> {
             if placed.line.parts[1] < 1.0 || !sees_lamp(ray) {
                 continue;
             }
-            let is_aside = !path.is_empty() && !path.contains(&placed.id);
-            let strength = strength(ray.significance) * if is_aside { ASIDE } else { 1.0 };
+            let is_plain = path.is_empty() || path.contains(&placed.id);
+            let emphasis = if is_plain { Emphasis::Plain } else { Emphasis::Aside };
+            let strength = strength(ray.significance) * emphasis.strength();
             let color = faded(self.traced.color(placed.id), strength);
             painter.circle_filled(placed.line.ends[1], 2.6, color);
         }

@@ -85,9 +85,8 @@ impl Table<'_> {
         let strong = FontId::proportional(13.0);
         let texts = [title_of(ray), strength_of(ray)];
         paint_texts(painter, rect, upper, texts, &strong, [title_color(ray), theme::TEXT]);
-        let interval = format!("{:.0}\u{2013}{:.0} nm", ray.lambda_low_nm, ray.lambda_high_nm);
         let weak = FontId::proportional(11.5);
-        let texts = [interval, event_of(ray)];
+        let texts = [interval_of(ray), event_of(ray)];
         paint_texts(painter, rect, lower, texts, &weak, [theme::TEXT_WEAK; 2]);
     }
 }
@@ -195,6 +194,12 @@ fn strength_of(ray: &RecordedRay) -> String {
     } else {
         significance
     }
+}
+
+fn interval_of(ray: &RecordedRay) -> String {
+    let [low, high] = [ray.lambda_low_nm, ray.lambda_high_nm];
+    let decimals = usize::from(high - low < 10.0);
+    format!("{low:.decimals$}\u{2013}{high:.decimals$} nm")
 }
 
 /// A part of 1 without the 0 before its point.
