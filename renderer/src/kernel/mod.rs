@@ -17,6 +17,7 @@ pub mod interface;
 pub mod intersect;
 pub mod lights;
 pub mod mesh;
+pub mod print;
 pub mod ray;
 pub mod rng;
 pub mod spread;

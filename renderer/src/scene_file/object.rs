@@ -11,6 +11,7 @@ use super::check::{exactly_one, positive};
 use super::fault::{Fault, Under};
 use super::material::MaterialEntry;
 use super::mesh_file::{MeshEntry, MeshFiles};
+use super::print::ImageFiles;
 use crate::material::Material;
 use crate::scene::{Object, Shape, Transform};
 use crate::solid::{HalfSpace, Solid};
@@ -60,8 +61,13 @@ struct HalfSpaceEntry {
 }
 
 impl ObjectEntry {
-    /// `index` counts the objects of the file; `meshes` reads mesh files once each.
-    pub(super) fn read(self, index: usize, meshes: &mut MeshFiles) -> Result<Object, Fault> {
+    /// `index` counts the objects of the file; `meshes` and `images` read files once each.
+    pub(super) fn read(
+        self,
+        index: usize,
+        meshes: &mut MeshFiles,
+        images: &mut ImageFiles,
+    ) -> Result<Object, Fault> {
         exactly_one(&[
             ("round_brilliant", self.round_brilliant.is_some()),
             ("polyhedron", self.polyhedron.is_some()),
@@ -86,7 +92,8 @@ impl ObjectEntry {
             }
             (None, None, None) => return Err(Fault::new("the object has no shape")),
         };
-        let material = self.material.map(MaterialEntry::read).transpose().under("material")?;
+        let material = self.material.map(|material| material.read(images));
+        let material = material.transpose().under("material")?;
         let material = material
             .or(own_material)
             .ok_or_else(|| Fault::at("material", "this key is missing"))?;
@@ -111,7 +118,9 @@ impl ObjectEntry {
             round_brilliant: None,
             polyhedron: None,
             mesh: None,
-            material: Some(MaterialEntry::write(material)),
+            // What only the mesh's own file can say is left to it.
+            material: (!object.is_printed_by_coordinates())
+                .then(|| MaterialEntry::write(material, base)),
         };
         match shape {
             Shape::RoundBrilliant(cut) => entry.round_brilliant = Some(BrilliantEntry::write(cut)),

@@ -18,6 +18,7 @@ pub use frame::Frame;
 use crate::kernel::mesh::Sides;
 use crate::kernel::walk::Fate;
 use crate::kernel::{interface, intersect, mesh, ray, rng, spread, walk};
+use crate::material::Outside;
 use crate::packed;
 use crate::spectrum::{LAMBDA_MAX_NM, LAMBDA_MIN_NM};
 
@@ -52,6 +53,7 @@ pub const KERNEL: &[ShaderModule] = modules![
     "walk",
     "deposit",
     "lights",
+    "print",
     "diffuse",
     "fork",
     "trace",
@@ -130,6 +132,9 @@ fn kernel_constants() -> String {
         ("SIDES_BOTH", U32(Sides::Both as u32)),
         ("TOP_STACK", U32(intersect::TOP_STACK as u32)),
         ("NUDGE", F32(intersect::NUDGE)),
+        ("OUTSIDE_BARE", U32(Outside::Bare as u32)),
+        ("OUTSIDE_REPEAT", U32(Outside::Repeat as u32)),
+        ("OUTSIDE_MIRROR", U32(Outside::Mirror as u32)),
         ("STACK_LEN", U32(walk::STACK_LEN as u32)),
         ("FATE_KEPT", U32(Fate::Kept as u32)),
         ("FATE_TOO_WEAK", U32(Fate::TooWeak as u32)),

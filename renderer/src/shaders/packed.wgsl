@@ -27,11 +27,25 @@ struct Instance {
     interior_is_clear: u32,
 }
 
+struct PackedPrint {
+    front: vec3f,
+    front_offset: f32,
+    tint: vec3f,
+    primaries: u32,
+    size: vec2u,
+    outside: vec2u,
+    texels: u32,
+    levels: u32,
+    projection: u32,
+    projection_stride: u32,
+}
+
 struct PackedMaterial {
     index_table: u32,
     absorption: u32,
     reflectance: u32,
     least_absorption: f32,
+    print: PackedPrint,
 }
 
 struct PackedDisc {
@@ -92,7 +106,7 @@ struct Frame {
 
 @group(0) @binding(0) var<storage, read> instances: array<Instance>;
 @group(0) @binding(1) var<storage, read> top_nodes: array<BvhNode>;
-@group(0) @binding(2) var<storage, read> top_order: array<u32>;
+@group(0) @binding(2) var<storage, read> words: array<u32>;
 @group(0) @binding(3) var<storage, read> planes: array<f32>;
 @group(0) @binding(4) var<storage, read> nodes: array<BvhNode>;
 @group(0) @binding(5) var<storage, read> triangles: array<PackedTriangle>;
@@ -116,6 +130,13 @@ fn is_opaque(material: PackedMaterial) -> bool {
 // The material of a body.
 fn material_of(instance: u32) -> PackedMaterial {
     return materials[instances[instance].material];
+}
+
+// One row of a projection: the four numbers from a word on.
+fn projection_row(first: u32) -> vec4f {
+    return bitcast<vec4f>(
+        vec4u(words[first], words[first + 1u], words[first + 2u], words[first + 3u]),
+    );
 }
 
 // The mean of row `row` over `bin`.

@@ -89,7 +89,7 @@ impl Shader {
         let buffers = [
             storage(&scene.instances),
             storage(&scene.top_nodes),
-            storage(&scene.top_order),
+            storage(&scene.words),
             storage(&scene.planes),
             storage(&scene.nodes),
             storage(&scene.triangles),

@@ -36,7 +36,7 @@ impl GpuScene {
         let buffers = [
             upload(graphics, "bodies", &scene.instances)?,
             upload(graphics, "hierarchy of bodies", &scene.top_nodes)?,
-            upload(graphics, "order of bodies", &scene.top_order)?,
+            upload(graphics, "order of bodies and images", &scene.words)?,
             upload(graphics, "facets", &scene.planes)?,
             upload(graphics, "hierarchies of triangles", &scene.nodes)?,
             upload(graphics, "triangles", &scene.triangles)?,
@@ -66,7 +66,7 @@ fn upload<T: NoUninit + Zeroable>(
     if size > largest {
         return Err(RendererError::Graphics(format!(
             "the graphics device {} can't hold the scene: its {what} take {} MB, and the device \
-             takes {} MB at a time; use a smaller mesh, or trace on the CPU",
+             takes {} MB at a time; use a smaller mesh or image, or trace on the CPU",
             graphics.name(),
             size.div_ceil(1_000_000),
             largest / 1_000_000
