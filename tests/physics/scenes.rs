@@ -48,7 +48,13 @@ pub(crate) fn clear(dispersion: Dispersion) -> Material {
 }
 
 pub(crate) fn object(shape: Shape, material: Material) -> Object {
-    Object { name: "test".to_owned(), shape, transform: Transform::default(), material }
+    Object {
+        name: "test".to_owned(),
+        shape,
+        transform: Transform::default(),
+        material,
+        throws_light: false,
+    }
 }
 
 pub(crate) fn brilliant(dispersion: Dispersion) -> Object {

@@ -5,7 +5,8 @@ use std::mem::{offset_of, size_of};
 
 use brilliance_renderer::kernel::walk::TraceRules;
 use brilliance_renderer::packed::{
-    BvhNode, Instance, PackedDisc, PackedGround, PackedMaterial, PackedSky, PackedTriangle,
+    BvhNode, Instance, PackedDisc, PackedGround, PackedMaterial, PackedPassage, PackedSky,
+    PackedTriangle,
 };
 use brilliance_renderer::shaders::{Frame, KERNEL, join};
 use glam::{Vec3, Vec4};
@@ -88,7 +89,14 @@ fn rust_layouts() -> Vec<Layout> {
             object_from_world, kind, first, count, material, center, interior_is_clear
         }
         PackedMaterial { index_table, absorption, reflectance, least_absorption }
-        PackedDisc { direction, cos_radius, sin_squared_radius, solid_angle, spectrum, padding }
+        PackedDisc {
+            direction, cos_radius, sin_squared_radius, solid_angle, spectrum, first_passage,
+            passage_count, padding
+        }
+        PackedPassage {
+            center, radius, direction, cos_bound, normal_in, sin_bound, normal_out, instance,
+            facet_in, facet_out, padding
+        }
         PackedGround { height, square, reflectance }
         PackedSky {
             hemisphere, environment, backdrop, light_spread, cos_observer_shadow,

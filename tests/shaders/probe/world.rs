@@ -229,7 +229,13 @@ fn matte() -> Material {
 
 fn object(shape: Shape, dispersion: Dispersion, absorption_per_mm: Option<Spectrum>) -> Object {
     let material = dielectric(dispersion, absorption_per_mm);
-    Object { name: "body".to_owned(), shape, transform: Transform::default(), material }
+    Object {
+        name: "body".to_owned(),
+        shape,
+        transform: Transform::default(),
+        material,
+        throws_light: false,
+    }
 }
 
 /// Where and how a body stands.

@@ -44,6 +44,7 @@ impl GpuScene {
             upload(graphics, "indices of refraction", &scene.index_tables)?,
             upload(graphics, "spectra", &scene.spectra)?,
             upload(graphics, "lights", &scene.discs)?,
+            upload(graphics, "passages of light", &scene.passages)?,
         ];
         let group = graphics.guard("hold the scene", |device| {
             let buffers = buffers.iter().map(wgpu::Buffer::as_entire_binding);
