@@ -129,7 +129,7 @@ pub(crate) fn close_camera(width_mm: f32) -> Camera {
     Camera { fov_y_radians: 2.0 * (0.5 * width_mm / distance).atan(), ..camera }
 }
 
-fn rules(settings: &TraceSettings) -> TraceRules {
+pub(crate) fn rules(settings: &TraceSettings) -> TraceRules {
     TraceRules {
         observer: Vec3::Z,
         split_count: settings.split_count,

@@ -79,6 +79,35 @@ impl World {
         Self { name: "the curt scene", rules, ..full }
     }
 
+    /// A brilliant and a coloured prism that throw the light of two lamps, a small one and a large
+    /// one, on the ground and on a matte block, with a second block in the way of some of it.
+    pub(crate) fn throwing() -> Self {
+        let lights = Lights {
+            discs: vec![disc(Vec3::new(0.5, -0.4, 0.7), 0.5), disc(Vec3::new(-0.6, 0.1, 0.4), 8.0)],
+            ..Lights::default()
+        };
+        let ground = Ground {
+            height: -3.0,
+            square: 1.3,
+            reflectance: [Spectrum::Flat(0.7), Spectrum::Rgb([0.2, 0.5, 0.3])],
+        };
+        let throws = |object: Object| Object { throws_light: true, ..object };
+        let quartz = Dispersion::Linear { n_d: 1.544, dispersion_bg: 0.013 };
+        let objects = vec![
+            throws(object(block(DVec3::splat(1.5)), FLINT, Some(absorption(0.4)))).turned(),
+            throws(object(Shape::RoundBrilliant(RoundBrilliant::default()), quartz, None))
+                .at(6.0, 0.0, 0.0),
+            Object { material: matte(), ..object(block(DVec3::splat(1.0)), FLINT, None) }
+                .at(2.5, 2.5, -2.0),
+            Object { material: matte(), ..object(block(DVec3::splat(0.5)), FLINT, None) }
+                .at(1.5, -1.5, 2.5),
+        ];
+        Self::new(
+            "the throwing scene",
+            &Scene { objects, ground: Some(ground), lights, ..Scene::default() },
+        )
+    }
+
     /// The full scene under another sky.
     pub(crate) fn under_sky(name: &'static str, change: fn(&mut PackedSky)) -> Self {
         let mut world = Self { name, ..Self::full() };

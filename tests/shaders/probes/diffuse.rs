@@ -29,6 +29,7 @@ pub(super) fn table() -> Table {
             World::under_sky("no hemisphere", |sky| sky.hemisphere = NONE),
             World::under_sky("no environment", |sky| sky.environment = NONE),
             World::under_sky("no sky", |sky| (sky.hemisphere, sky.environment) = (NONE, NONE)),
+            World::throwing(),
         ],
         probes: probes.into_iter().flatten().collect(),
     }
@@ -142,7 +143,7 @@ fn directions() -> Vec<Probe> {
 }
 
 /// Rays that have been moved to where they met the ground or a matte body, and far-off ground.
-fn matte_points(world: &World) -> Vec<(Ray, Hit)> {
+pub(super) fn matte_points(world: &World) -> Vec<(Ray, Hit)> {
     let mut points = Vec::new();
     for ray in world.rays(3000) {
         let hit = find_intersection(&world.scene, &ray);
