@@ -154,6 +154,7 @@ fn follow_back_probe() -> Probe {
             });
         },
         cases: |world| {
+            // Of so many as the device has room for stacks for.
             let mut cases = Vec::new();
             let mut dice = Dice::new(59);
             for (ray, hit, light, towards) in lit_points(world, &mut dice) {
@@ -170,6 +171,7 @@ fn follow_back_probe() -> Probe {
                     }
                 }
             }
+            cases.truncate(4000);
             cases
         },
         // Where rounding decides which facet is met, or what is in the way.
