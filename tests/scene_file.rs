@@ -34,6 +34,7 @@ fn stone(material: Material) -> Object {
         shape: Shape::RoundBrilliant(RoundBrilliant::default()),
         transform: Transform::default(),
         material,
+        throws_light: false,
     }
 }
 

@@ -3,8 +3,11 @@
 //! Every struct is `repr(C)` and free of padding so that a GPU can be handed the same bytes.
 
 mod bodies;
+mod passages;
 mod prints;
 mod spectra;
+
+pub use passages::MAX_PASSAGES;
 
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec3, Vec4};
@@ -156,8 +159,41 @@ pub struct PackedDisc {
     pub solid_angle: f32,
     /// Row of the radiance.
     pub spectrum: u32,
-    /// Fills the struct to 32 bytes.
-    pub padding: u32,
+    /// First of the passages that the light takes through clear bodies.
+    pub first_passage: u32,
+    /// Number of these passages.
+    pub passage_count: u32,
+    /// Fills the struct to 48 bytes.
+    pub padding: [u32; 3],
+}
+
+/// Two facets of a clear convex body that light of one disc goes straight through, in at one and out
+/// at the other.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct PackedPassage {
+    /// Center of a sphere about the facet that the light leaves through.
+    pub center: Vec3,
+    /// Radius of that sphere.
+    pub radius: f32,
+    /// Unit vector along the middle of the directions in which the light is seen from behind.
+    pub direction: Vec3,
+    /// Cosine of the half-angle of the cone about `direction` that holds them all.
+    pub cos_bound: f32,
+    /// Outward unit normal of the facet that the light enters through.
+    pub normal_in: Vec3,
+    /// Sine of the half-angle of that cone; where it is wider than 90°, both are 0.
+    pub sin_bound: f32,
+    /// Outward unit normal of the facet that the light leaves through.
+    pub normal_out: Vec3,
+    /// The body.
+    pub instance: u32,
+    /// The facet that the light enters through.
+    pub facet_in: u32,
+    /// The facet that the light leaves through.
+    pub facet_out: u32,
+    /// Fills the struct to 80 bytes.
+    pub padding: [u32; 2],
 }
 
 /// The checkered plane.
@@ -221,6 +257,8 @@ pub struct PackedScene {
     pub spectra: Vec<f32>,
     /// Disc lights.
     pub discs: Vec<PackedDisc>,
+    /// Passages of the discs' light, disc by disc.
+    pub passages: Vec<PackedPassage>,
     /// Lights without a place.
     pub sky: PackedSky,
     /// The ground.
@@ -231,14 +269,15 @@ impl PackedScene {
     /// Flattens `scene` for a film of `bins`.
     ///
     /// # Errors
-    /// An object that is no closed body, or a value that is out of its range; the text names the
-    /// object or light.
+    /// An object that is no closed body, one that shall throw light and can't, or a value that is out
+    /// of its range; the text names the object or light.
     pub fn new(scene: &Scene, bins: Bins) -> Result<Self, RendererError> {
         let mut spectra = spectra::SpectrumRows::new(bins);
         let mut prints = prints::PrintWords::new(scene.objects.len());
         let materials = spectra::pack_materials(scene, &mut spectra, &mut prints)?;
         let bodies = bodies::pack(scene, &materials.of_object)?;
-        let discs = spectra::pack_discs(&scene.lights, &mut spectra)?;
+        let mut discs = spectra::pack_discs(&scene.lights, &mut spectra)?;
+        let passages = passages::pack(&mut discs, &bodies.throwers, &materials)?;
         let sky = spectra::pack_sky(&scene.lights, &mut spectra)?;
         let ground = spectra::pack_ground(scene.ground.as_ref(), &mut spectra)?;
         Ok(Self {
@@ -253,6 +292,7 @@ impl PackedScene {
             index_tables: materials.index_tables,
             spectra: spectra.into_values(),
             discs,
+            passages,
             sky,
             ground,
         })

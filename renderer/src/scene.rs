@@ -41,6 +41,9 @@ pub struct Object {
     pub transform: Transform,
     /// What it is made of.
     pub material: Material,
+    /// Whether matte surfaces see the light of the discs straight through it, and not only its
+    /// shadow; for clear convex bodies alone.
+    pub throws_light: bool,
 }
 
 impl Object {

@@ -38,6 +38,7 @@ fn rust_constants() -> Vec<(&'static str, Constant)> {
         ("TOUCHING_MM", F32(ray::TOUCHING_MM)),
         ("PIXEL_STEPS", Vec2U(rng::PIXEL_STEPS)),
         ("LIGHT_STEPS", Vec2U(rng::LIGHT_STEPS)),
+        ("WAVELENGTH_STEP", U32(rng::WAVELENGTH_STEP)),
         ("MIDDLE", U32(rng::MIDDLE)),
         ("MAX_SUBRAYS", U32(spread::MAX_SUBRAYS)),
         ("BISECTIONS", U32(interface::BISECTIONS)),

@@ -5,8 +5,8 @@ use std::mem::{offset_of, size_of};
 
 use brilliance_renderer::kernel::walk::TraceRules;
 use brilliance_renderer::packed::{
-    BvhNode, Instance, PackedDisc, PackedGround, PackedMaterial, PackedPrint, PackedSky,
-    PackedTriangle,
+    BvhNode, Instance, PackedDisc, PackedGround, PackedMaterial, PackedPassage, PackedPrint,
+    PackedSky, PackedTriangle,
 };
 use brilliance_renderer::shaders::{Frame, KERNEL, join};
 use glam::{Vec3, Vec4};
@@ -94,7 +94,14 @@ fn rust_layouts() -> Vec<Layout> {
             projection_stride
         }
         PackedMaterial { index_table, absorption, reflectance, least_absorption, print }
-        PackedDisc { direction, cos_radius, sin_squared_radius, solid_angle, spectrum, padding }
+        PackedDisc {
+            direction, cos_radius, sin_squared_radius, solid_angle, spectrum, first_passage,
+            passage_count, padding
+        }
+        PackedPassage {
+            center, radius, direction, cos_bound, normal_in, sin_bound, normal_out, instance,
+            facet_in, facet_out, padding
+        }
         PackedGround { height, square, reflectance }
         PackedSky {
             hemisphere, environment, backdrop, light_spread, cos_observer_shadow,

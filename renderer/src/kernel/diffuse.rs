@@ -6,6 +6,7 @@ use glam::Vec3;
 
 use crate::kernel::deposit::{Reflectance, deposit};
 use crate::kernel::intersect::is_occluded;
+use crate::kernel::passage::shine_through;
 use crate::kernel::print::print_reflectance;
 use crate::kernel::ray::{GROUND, Hit, Ray};
 use crate::kernel::rng;
@@ -35,6 +36,7 @@ pub fn shade_diffuse(walk: &mut Walk<'_>, ray: &Ray, hit: &Hit) {
             let disc = &scene.discs[light as usize];
             direction = direction_on_disc(disc, sample);
             scale = FRAC_1_PI * disc.solid_angle * direction.dot(normal);
+            shine_through(walk, ray, hit, normal, light, direction, reflectance);
         }
         if scale <= 0.0 || is_shadowed(walk, ray, hit, direction) {
             continue;

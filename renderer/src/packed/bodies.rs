@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use glam::{DVec3, Mat3, Vec4};
 
+use super::passages::Polygon;
 use super::{BvhNode, CONVEX, Instance, MESH, PLANE_LANES, PackedTriangle};
 use crate::accel::{Bounds, Hierarchy, MAX_DEPTH};
 use crate::error::RendererError;
@@ -21,6 +22,17 @@ pub(super) struct PackedBodies {
     pub(super) planes: Vec<f32>,
     pub(super) nodes: Vec<BvhNode>,
     pub(super) triangles: Vec<PackedTriangle>,
+    pub(super) throwers: Vec<Thrower>,
+}
+
+/// A clear convex body whose light falls on matte surfaces.
+pub(super) struct Thrower {
+    pub(super) name: String,
+    pub(super) instance: u32,
+    pub(super) material: u32,
+    pub(super) facets: Vec<Polygon>,
+    /// Largest distance of two of its points, in mm.
+    pub(super) size_mm: f32,
 }
 
 /// Packs the objects; `materials` is the packed material of each.
@@ -31,6 +43,7 @@ pub(super) fn pack(scene: &Scene, materials: &[u32]) -> Result<PackedBodies, Ren
     let mut mesh_roots = HashMap::new();
     for (object, &material) in scene.objects.iter().zip(materials) {
         check_transform(object)?;
+        check_throwing(object)?;
         let half_spaces = match &object.shape {
             Shape::Mesh(source) => {
                 check_mesh(object, &source.mesh)?;
@@ -67,6 +80,17 @@ fn check_transform(object: &Object) -> Result<(), RendererError> {
     )))
 }
 
+/// Light can be told to go straight through what is clear and known to be convex.
+fn check_throwing(object: &Object) -> Result<(), RendererError> {
+    let fault = match (&object.shape, &object.material) {
+        _ if !object.throws_light => return Ok(()),
+        (Shape::Mesh(_), _) => "a mesh can't throw light: only cuts and polyhedra can",
+        (_, Material::Diffuse(_)) => "it is matte, and only what is clear can throw light",
+        _ => return Ok(()),
+    };
+    Err(RendererError::Invalid(format!("{}: {fault}; switch throws_light off", object.name)))
+}
+
 /// A refracting mesh must enclose a volume.
 fn check_mesh(object: &Object, mesh: &Mesh) -> Result<(), RendererError> {
     if let (Material::Dielectric(_), Err(fault)) = (&object.material, mesh.closed()) {
@@ -101,6 +125,15 @@ impl PackedBodies {
         let bounds = Bounds::of(
             solid.vertices.iter().map(|vertex| object.transform.point(vertex.as_vec3())),
         );
+        if object.throws_light {
+            self.throwers.push(Thrower {
+                name: object.name.clone(),
+                instance: self.instances.len() as u32,
+                material,
+                facets: Polygon::of(solid, object),
+                size_mm: (bounds.max - bounds.min).length(),
+            });
+        }
         self.instances.push(Instance {
             object_from_world: object_from_world(&object.transform),
             kind: CONVEX,

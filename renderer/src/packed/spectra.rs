@@ -69,6 +69,14 @@ pub(super) struct PackedMaterials {
     pub(super) of_object: Vec<u32>,
 }
 
+impl PackedMaterials {
+    /// n(λ) of a clear material at every nm.
+    pub(super) fn indices_of(&self, material: u32) -> &[f32] {
+        let start = self.materials[material as usize].index_table as usize * INDEX_TABLE_LEN;
+        &self.index_tables[start..start + INDEX_TABLE_LEN]
+    }
+}
+
 /// Packs every material once, however many objects are made of it.
 pub(super) fn pack_materials(
     scene: &Scene,
@@ -167,7 +175,9 @@ pub(super) fn pack_discs(
                 sin_squared_radius: disc.angular_radius_radians.sin().powi(2),
                 solid_angle: disc.solid_angle_steradians(),
                 spectrum: spectra.push(&disc.name, &disc.spectrum, disc.radiance)?,
-                padding: 0,
+                first_passage: 0,
+                passage_count: 0,
+                padding: [0; 3],
             })
         })
         .collect()

@@ -34,6 +34,7 @@ pub(super) struct ObjectEntry {
     mesh: Option<MeshEntry>,
     /// A mesh without it keeps the material of its own file.
     material: Option<MaterialEntry>,
+    throws_light: Option<bool>,
 }
 
 /// A turn about an axis, or the unit quaternion x, y, z, w where no short turn gives its bits.
@@ -98,17 +99,22 @@ impl ObjectEntry {
             .or(own_material)
             .ok_or_else(|| Fault::at("material", "this key is missing"))?;
         refuse_open_stone(&shape, &material)?;
+        let throws_light = self.throws_light.unwrap_or(false);
+        if throws_light {
+            refuse_thrower(&shape, &material)?;
+        }
         Ok(Object {
             name: self.name.unwrap_or_else(|| format!("Object {}", index + 1)),
             shape,
             transform,
             material,
+            throws_light,
         })
     }
 
     /// Paths are written relative to `base`.
     pub(super) fn write(object: &Object, base: &Path) -> Self {
-        let Object { name, shape, transform, material } = object;
+        let Object { name, shape, transform, material, throws_light } = object;
         let Transform { translation, rotation, scale } = transform;
         let mut entry = Self {
             name: Some(name.clone()),
@@ -121,6 +127,7 @@ impl ObjectEntry {
             // What only the mesh's own file can say is left to it.
             material: (!object.is_printed_by_coordinates())
                 .then(|| MaterialEntry::write(material, base)),
+            throws_light: throws_light.then_some(true),
         };
         match shape {
             Shape::RoundBrilliant(cut) => entry.round_brilliant = Some(BrilliantEntry::write(cut)),
@@ -145,6 +152,16 @@ fn refuse_open_stone(shape: &Shape, material: &Material) -> Result<(), Fault> {
         }),
         _ => Ok(()),
     }
+}
+
+/// Only through what is clear and known to be convex can light be followed straight.
+fn refuse_thrower(shape: &Shape, material: &Material) -> Result<(), Fault> {
+    let remedy = match (shape, material) {
+        (Shape::Mesh(_), _) => "a mesh can't throw light, only a round_brilliant or a polyhedron",
+        (_, Material::Diffuse(_)) => "a diffuse object can't throw light; make it clear",
+        _ => return Ok(()),
+    };
+    Err(Fault::at("throws_light", remedy))
 }
 
 impl RotationEntry {

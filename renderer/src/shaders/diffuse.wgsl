@@ -21,6 +21,7 @@ fn shade_diffuse(ray: Ray, hit: Hit) {
             let disc = discs[light];
             direction = direction_on_disc(disc, at);
             scale = FRAC_1_PI * disc.solid_angle * dot(direction, normal);
+            shine_through(ray, hit, normal, light, direction, reflectance);
         }
         if scale <= 0.0 || is_shadowed(ray, hit, direction) {
             continue;

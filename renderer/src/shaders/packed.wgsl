@@ -54,6 +54,21 @@ struct PackedDisc {
     sin_squared_radius: f32,
     solid_angle: f32,
     spectrum: u32,
+    first_passage: u32,
+    passage_count: u32,
+}
+
+struct PackedPassage {
+    center: vec3f,
+    radius: f32,
+    direction: vec3f,
+    cos_bound: f32,
+    normal_in: vec3f,
+    sin_bound: f32,
+    normal_out: vec3f,
+    instance: u32,
+    facet_in: u32,
+    facet_out: u32,
 }
 
 struct PackedGround {
@@ -114,6 +129,7 @@ struct Frame {
 @group(0) @binding(7) var<storage, read> index_tables: array<f32>;
 @group(0) @binding(8) var<storage, read> spectra: array<f32>;
 @group(0) @binding(9) var<storage, read> discs: array<PackedDisc>;
+@group(0) @binding(10) var<storage, read> passages: array<PackedPassage>;
 // No uniform: Mesa's software device compiles a kernel anew for each content of one.
 @group(1) @binding(0) var<storage, read> frame: Frame;
 

@@ -87,6 +87,33 @@ impl World {
         Self { name: "the curt scene", rules, ..full }
     }
 
+    /// A coloured prism that throws the light of two lamps, a small one and a large one, on the
+    /// ground and on a matte block, with a second block in the way of some of it. There is no more,
+    /// since software devices end loops early (`tracer/gpu/pace`).
+    pub(crate) fn throwing() -> Self {
+        let lights = Lights {
+            discs: vec![disc(Vec3::new(0.5, -0.4, 0.7), 0.5), disc(Vec3::new(-0.6, 0.1, 0.4), 8.0)],
+            ..Lights::default()
+        };
+        let ground = Ground {
+            height: -3.0,
+            square: 1.3,
+            reflectance: [Spectrum::Flat(0.7), Spectrum::Rgb([0.2, 0.5, 0.3])],
+        };
+        let prism = object(wedge(), FLINT, Some(absorption(0.4)));
+        let objects = vec![
+            Object { throws_light: true, ..prism }.turned(),
+            Object { material: matte(), ..object(block(DVec3::splat(1.0)), FLINT, None) }
+                .at(2.5, 2.5, -2.0),
+            Object { material: matte(), ..object(block(DVec3::splat(0.5)), FLINT, None) }
+                .at(1.5, -1.5, 2.5),
+        ];
+        Self::new(
+            "the throwing scene",
+            &Scene { objects, ground: Some(ground), lights, ..Scene::default() },
+        )
+    }
+
     /// The full scene under another sky.
     pub(crate) fn under_sky(name: &'static str, change: fn(&mut PackedSky)) -> Self {
         let mut world = Self { name, ..Self::full() };
@@ -287,7 +314,13 @@ fn unwrapped_cube() -> Mesh {
 
 fn object(shape: Shape, dispersion: Dispersion, absorption_per_mm: Option<Spectrum>) -> Object {
     let material = dielectric(dispersion, absorption_per_mm);
-    Object { name: "body".to_owned(), shape, transform: Transform::default(), material }
+    Object {
+        name: "body".to_owned(),
+        shape,
+        transform: Transform::default(),
+        material,
+        throws_light: false,
+    }
 }
 
 /// Where and how a body stands.
@@ -319,6 +352,22 @@ fn block(half_extents: DVec3) -> Shape {
     Shape::Polyhedron(
         axes.into_iter().flat_map(|axis| [half_space(axis), half_space(-axis)]).collect(),
     )
+}
+
+/// A prism of three sides.
+fn wedge() -> Shape {
+    let half_space = |x, y, z| HalfSpace {
+        normal: DVec3::new(x, y, z).normalize(),
+        distance: 1.2,
+        name: String::new(),
+    };
+    Shape::Polyhedron(vec![
+        half_space(1.0, 0.0, 0.6),
+        half_space(-1.0, 0.0, 0.6),
+        half_space(0.0, 0.0, -1.0),
+        half_space(0.0, 1.0, 0.0),
+        half_space(0.0, -1.0, 0.0),
+    ])
 }
 
 /// A real mesh, as users open them.

@@ -29,6 +29,7 @@ pub(super) fn table() -> Table {
             World::under_sky("no hemisphere", |sky| sky.hemisphere = NONE),
             World::under_sky("no environment", |sky| sky.environment = NONE),
             World::under_sky("no sky", |sky| (sky.hemisphere, sky.environment) = (NONE, NONE)),
+            World::throwing(),
         ],
         probes: probes.into_iter().flatten().collect(),
     }

@@ -11,6 +11,7 @@ mod intersect;
 mod lights;
 mod mesh;
 mod packed;
+mod passage;
 mod print;
 mod ray;
 mod rng;
