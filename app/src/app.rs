@@ -197,8 +197,8 @@ impl App {
     }
 
     fn menu_ui(&mut self, ui: &mut Ui) {
-        let tracers = self.tracers();
-        if let Some(command) = menu::show(ui, &self.editor, self.panel_shown, &tracers) {
+        let (tracers, shown) = (self.tracers(), self.session().shown());
+        if let Some(command) = menu::show(ui, &self.editor, self.panel_shown, shown, &tracers) {
             self.run(command, ui.ctx());
         }
     }
@@ -248,7 +248,8 @@ impl eframe::App for App {
         let ctx = ui.ctx().clone();
         let was_typing = command::is_typing(&ctx);
         self.menu_ui(ui);
-        status::show(ui, &self.session().progress(), &self.tracers());
+        let session = self.session();
+        status::show(ui, &session.progress(), session.shown(), &self.tracers());
         if self.panel_shown {
             self.panel_ui(ui);
         }

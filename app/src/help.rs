@@ -13,7 +13,7 @@ pub enum Help {
     About,
 }
 
-const KEYS: [(&str, &str); 15] = [
+const KEYS: [(&str, &str); 16] = [
     ("Drag", "turn the stone"),
     ("Middle drag, Shift + drag", "move it"),
     ("Wheel, pinch", "come nearer to what is under the cursor"),
@@ -21,6 +21,7 @@ const KEYS: [(&str, &str); 15] = [
     ("1 or F", "face-up"),
     ("3 or S", "side"),
     ("7 or P", "pavilion-up"),
+    ("H", "picture, rays per pixel, depth, pruned light"),
     ("Arrow keys, + and \u{2212}", "turn and zoom"),
     ("Double click on a slider", "back to its default"),
     ("Ctrl + O, Ctrl + S", "open, save"),

@@ -1,23 +1,31 @@
 //! The menu bar.
 
+use brilliance_renderer::develop::Shown;
 use brilliance_renderer::scene_file::scenes;
 use eframe::egui::{Button, Frame, Margin, MenuBar, Panel, RichText, Ui};
 
 use crate::command::Command;
 use crate::editor::Editor;
 use crate::orbit::StandardView;
+use crate::shown;
 use crate::theme;
 use crate::tracers::{self, Tracers};
 
 /// Shows the bar at the top edge; gives what was chosen.
-pub fn show(ui: &mut Ui, editor: &Editor, panel_shown: bool, tracers: &Tracers) -> Option<Command> {
+pub fn show(
+    ui: &mut Ui,
+    editor: &Editor,
+    panel_shown: bool,
+    shown: Shown,
+    tracers: &Tracers,
+) -> Option<Command> {
     let frame = Frame::new().fill(theme::PANEL).inner_margin(Margin::symmetric(8, 3));
     let bar = Panel::top("menu").frame(frame).show(ui, |ui| {
         let mut chosen = None;
         MenuBar::new().ui(ui, |ui| {
             ui.menu_button("File", |ui| file_ui(ui, &mut chosen));
             ui.menu_button("Edit", |ui| edit_ui(ui, editor, &mut chosen));
-            ui.menu_button("View", |ui| view_ui(ui, panel_shown, tracers, &mut chosen));
+            ui.menu_button("View", |ui| view_ui(ui, panel_shown, shown, tracers, &mut chosen));
             ui.menu_button("Help", |ui| {
                 entry(ui, true, "Mouse and keys", Command::ShowKeys, &mut chosen);
                 entry(ui, true, "About Brilliance", Command::ShowAbout, &mut chosen);
@@ -61,12 +69,19 @@ fn edit_ui(ui: &mut Ui, editor: &Editor, chosen: &mut Option<Command>) {
     entry(ui, editor.edited(), "Reset all changes", Command::Reset, chosen);
 }
 
-fn view_ui(ui: &mut Ui, panel_shown: bool, tracers: &Tracers, chosen: &mut Option<Command>) {
+fn view_ui(
+    ui: &mut Ui,
+    panel_shown: bool,
+    shown: Shown,
+    tracers: &Tracers,
+    chosen: &mut Option<Command>,
+) {
     entry(ui, true, "Face-up", Command::Look(StandardView::FaceUp), chosen);
     entry(ui, true, "Side", Command::Look(StandardView::Side), chosen);
     entry(ui, true, "Pavilion-up", Command::Look(StandardView::Pavilion), chosen);
     entry(ui, true, "Reset camera", Command::ResetCamera, chosen);
     ui.separator();
+    ui.menu_button("Show", |ui| shown::menu_ui(ui, shown, chosen));
     ui.menu_button("Trace with", |ui| tracers::menu_ui(ui, tracers, chosen));
     ui.separator();
     let panel = if panel_shown { "Hide panel" } else { "Show panel" };

@@ -10,6 +10,7 @@ mod picture_format;
 mod progress;
 mod render;
 mod report;
+mod shown;
 mod view;
 
 use std::io::Write as _;

@@ -35,7 +35,8 @@ pub(super) fn render(arguments: &RenderArguments) -> anyhow::Result<()> {
     check_film(&document)?;
     let still = trace(arguments, &document, &cancel)?;
     let base = arguments.output.parent().unwrap_or(Path::new(""));
-    still.write(&arguments.output, format, &document.display, &document.to_toml(base))?;
+    let (display, shown) = (&document.display, arguments.show.into());
+    still.write(&arguments.output, format, display, shown, &document.to_toml(base))?;
 
     let report = Report::new(arguments, &document, &still);
     if let Some(path) = &arguments.stats {
