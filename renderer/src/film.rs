@@ -21,13 +21,13 @@ pub struct Film {
 }
 
 impl Film {
-    /// Largest film of a still in bytes; 8192×8192 pixels of 16 bins take 4.75 GiB.
-    pub const MAX_BYTES: u64 = 5 << 30;
+    /// Largest film of a still in bytes: 8192×8192 pixels of 16 bins.
+    pub const MAX_BYTES: u64 = Self::bytes([8192, 8192], 16);
 
     /// Memory that a film of this size needs.
-    pub fn bytes([width, height]: [u32; 2], bins: u32) -> u64 {
-        let pixel = u64::from(bins) * size_of::<f32>() as u64 + size_of::<Counts>() as u64;
-        u64::from(width) * u64::from(height) * pixel
+    pub const fn bytes([width, height]: [u32; 2], bins: u32) -> u64 {
+        let pixel = bins as u64 * size_of::<f32>() as u64 + size_of::<Counts>() as u64;
+        width as u64 * height as u64 * pixel
     }
 
     /// An empty film.

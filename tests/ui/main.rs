@@ -5,4 +5,5 @@ mod files;
 mod graphics;
 mod panel;
 mod picture;
+mod shown;
 mod window;
