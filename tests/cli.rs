@@ -110,6 +110,7 @@ fn help_and_version_are_told() {
         "--set",
         "--bits",
         "--spectral",
+        "--show",
         "--output",
         "--stats",
     ] {
@@ -318,6 +319,39 @@ fn the_options_choose_the_format() {
     assert_eq!((plain.width(), plain.height()), (8, 8));
     let length = |name: &str| std::fs::metadata(folder.path().join(name)).unwrap().len();
     assert!(length("spectral.exr") > length("plain.exr"), "the bins take room");
+}
+
+#[test]
+fn heat_maps_are_other_pictures_of_the_same_film() {
+    let folder = folder_with_scene();
+    let render = |options: &str| {
+        let arguments = format!("render stone.toml --size 24x16 --passes 1 {options}");
+        brilliance(folder.path(), &arguments.split_whitespace().collect::<Vec<_>>())
+    };
+    let mut pictures = Vec::new();
+    for shown in ["color", "rays", "depth", "pruned"] {
+        let output = render(&format!("--show {shown} -o {shown}.png"));
+        assert_eq!(output.status.code(), Some(0), "{shown}: {}", stderr(&output));
+        pictures.push(image::open(folder.path().join(format!("{shown}.png"))).unwrap().to_rgba8());
+    }
+    assert!(render("-o plain.png").status.success());
+    let plain = image::open(folder.path().join("plain.png")).unwrap().to_rgba8();
+    assert!(plain == pictures[0], "the colours are the default");
+    for (i, picture) in pictures.iter().enumerate() {
+        assert!(pictures[..i].iter().all(|other| other != picture), "{i}");
+    }
+    // The corner sees the sky past the stone: one ray, and nothing of the others.
+    let corner = |i: usize| pictures[i].get_pixel(0, 0).0;
+    assert_eq!(
+        [corner(1), corner(2), corner(3)],
+        [[68, 1, 84, 255], [0, 0, 0, 255], [0, 0, 0, 255]]
+    );
+
+    assert!(render("--show depth --bits 16 -o deep.png").status.success());
+    let deep = image::open(folder.path().join("deep.png")).unwrap();
+    assert!(deep.to_rgba8() == pictures[2], "16 bits round to 8");
+    assert_wrong_usage(&render("--show depth -o a.exr"), &["OpenEXR", ".png"]);
+    assert_wrong_usage(&render("--show heat -o a.png"), &["heat", "pruned"]);
 }
 
 #[test]

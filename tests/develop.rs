@@ -1,8 +1,8 @@
 //! From film to display, against what is published and what must hold.
 
 use brilliance_renderer::color;
-use brilliance_renderer::develop::XyzImage;
-use brilliance_renderer::film::Film;
+use brilliance_renderer::develop::{CountImage, HeatMap, NOTHING, XyzImage};
+use brilliance_renderer::film::{Counts, Film};
 use brilliance_renderer::settings::{DisplaySettings, ToneCurve, WhitePoint};
 use brilliance_renderer::spectrum::{Bins, Illuminant, Spectrum};
 use glam::DVec3;
@@ -209,4 +209,47 @@ fn black_middle_grey_and_white_have_their_codes() {
     assert_eq!(rgb16[..3], [0; 3]);
     assert!(rgb16[3..6].iter().all(|&code| code.abs_diff(30237) <= 2), "{rgb16:?}");
     assert_eq!(rgb16[6..], [65535; 3]);
+}
+
+fn lightness([r, g, b]: [u8; 3]) -> f64 {
+    let linear = [r, g, b].map(|code| color::srgb_decode(f64::from(code) / 255.0));
+    let xyz = color::xyz_from_rec709() * DVec3::from_array(linear);
+    color::Lab::from_xyz(xyz, color::d65_white()).l
+}
+
+#[test]
+fn a_heat_map_gets_lighter_with_the_number_and_ends_where_its_scale_ends() {
+    for map in HeatMap::ALL {
+        let [low, high] = map.scale_ends();
+        let mut before = lightness(map.color(low));
+        assert!(lightness(NOTHING) < before - 5.0, "nothing is told from the least");
+        for step in 1..=200 {
+            let now = lightness(map.color(low * (high / low).powf(step as f32 / 200.0)));
+            // Codes are whole numbers, so that the steps are not even.
+            assert!(now > before - 0.1, "{map:?}, step {step}: {before} {now}");
+            before = before.max(now);
+        }
+        assert!(before > 85.0, "{map:?} ends at {before}");
+        assert_eq!(map.color(0.0), NOTHING);
+        assert_eq!(map.color(0.5 * low), map.color(low));
+        assert_eq!(map.color(2.0 * high), map.color(high));
+    }
+}
+
+#[test]
+fn a_heat_map_shows_the_mean_of_its_count_in_8_and_in_16_bits() {
+    let mut film = Film::new(2, 1, Bins::new(4));
+    film.sums_and_counts_mut().1[1] = Counts { rays: 300.0, depth: 48.0, pruned: 0.03 };
+    (0..3).for_each(|_| film.complete_pass());
+    let image = CountImage::from_film(&film);
+    assert_eq!(image.size, [2, 1]);
+    for (map, mean) in [(HeatMap::Rays, 100.0), (HeatMap::Depth, 16.0), (HeatMap::Pruned, 0.01)] {
+        let rgba8 = image.develop_rgba8(map);
+        let [r, g, b] = map.color(mean);
+        let [r0, g0, b0] = NOTHING;
+        assert_eq!(rgba8, [r0, g0, b0, 255, r, g, b, 255], "{map:?}");
+        for (code16, code) in image.develop_rgb16(map)[3..].iter().zip([r, g, b]) {
+            assert!(code16.abs_diff(257 * u16::from(code)) <= 129, "{map:?}: {code16} {code}");
+        }
+    }
 }

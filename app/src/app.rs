@@ -22,7 +22,7 @@ use crate::first_picture::FirstPicture;
 use crate::help::Help;
 use crate::inspector::Inspector;
 use crate::live::Live;
-use crate::menu::{self, Shown};
+use crate::menu;
 use crate::notice::Notices;
 use crate::opening::Opening;
 use crate::orbit::Orbit;
@@ -170,11 +170,6 @@ impl App {
         &self.inspector
     }
 
-    /// Which of the panels are open.
-    fn shown(&self) -> Shown {
-        Shown { panel: self.panel_shown, inspector: self.inspector.is_shown() }
-    }
-
     /// The document as it would be saved: with the camera as it is now.
     fn document_to_save(&self) -> Document {
         let mut document = self.editor.document.clone();
@@ -212,7 +207,14 @@ impl App {
 
     fn menu_ui(&mut self, ui: &mut Ui) {
         let tracers = self.tracers();
-        if let Some(command) = menu::show(ui, &self.editor, self.shown(), &tracers) {
+        let state = menu::State {
+            editor: &self.editor,
+            tracers: &tracers,
+            shown: self.session().shown(),
+            panel_is_open: self.panel_shown,
+            inspector_is_open: self.inspector.is_shown(),
+        };
+        if let Some(command) = menu::show(ui, &state) {
             self.run(command, ui.ctx());
         }
     }
@@ -269,7 +271,8 @@ impl eframe::App for App {
         let ctx = ui.ctx().clone();
         let was_typing = command::is_typing(&ctx);
         self.menu_ui(ui);
-        status::show(ui, &self.session().progress(), &self.tracers());
+        let session = self.session();
+        status::show(ui, &session.progress(), session.shown(), &self.tracers());
         if self.panel_shown {
             self.panel_ui(ui);
         }

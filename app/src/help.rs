@@ -13,7 +13,7 @@ pub enum Help {
     About,
 }
 
-const KEYS: [(&str, &str); 17] = [
+const KEYS: [(&str, &str); 18] = [
     ("Drag", "turn the stone"),
     ("Middle drag, Shift + drag", "move it"),
     ("Wheel, pinch", "come nearer to what is under the cursor"),
@@ -21,6 +21,7 @@ const KEYS: [(&str, &str); 17] = [
     ("1 or F", "face-up"),
     ("3 or S", "side"),
     ("7 or P", "pavilion-up"),
+    ("H", "picture, rays per pixel, depth, pruned light"),
     ("I", "show or hide the inspector"),
     ("Click, Ctrl + drag", "pick a pixel or a region for the inspector"),
     ("Arrow keys, + and \u{2212}", "turn and zoom"),

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use brilliance_renderer::camera::Camera;
+use brilliance_renderer::develop::Shown;
 use brilliance_renderer::error::RendererError;
 use brilliance_renderer::gpu::Graphics;
 use brilliance_renderer::scene::Scene;
@@ -44,6 +45,11 @@ impl Live {
     /// Asks for another tracer from the next request on.
     pub fn set_backend(&mut self, backend: Backend) {
         self.backend = backend;
+    }
+
+    /// Shows this of what was traced from now on.
+    pub fn show(&mut self, shown: Shown) {
+        self.session.show(shown);
     }
 
     /// Lets the session trace on the window's graphics device.

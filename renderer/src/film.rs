@@ -1,10 +1,15 @@
-//! The film: sums of spectral radiance per pixel.
+//! The film: sums of spectral radiance per pixel, and of what it took to find them.
+
+mod counts;
+
+pub use counts::Counts;
 
 use crate::spectrum::Bins;
 
-/// Radiance sums per pixel and spectral bin, over a number of passes.
+/// Radiance sums per pixel and spectral bin, and counts per pixel, over a number of passes.
 ///
-/// Memory is `width · height · bins · 4` bytes: 133 MB at 1920×1080 with 16 bins.
+/// Memory is `width · height · (bins + 3) · 4` bytes: 133 MB of radiance and 25 MB of counts at
+/// 1920×1080 with 16 bins.
 #[derive(Clone, Debug)]
 pub struct Film {
     width: u32,
@@ -12,30 +17,40 @@ pub struct Film {
     bins: Bins,
     passes: u32,
     sums: Vec<f32>,
+    counts: Vec<Counts>,
 }
 
 impl Film {
     /// Largest film of a still in bytes: 8192×8192 pixels of 16 bins.
-    pub const MAX_BYTES: u64 = 4 << 30;
+    pub const MAX_BYTES: u64 = Self::bytes([8192, 8192], 16);
 
     /// Memory that a film of this size needs.
-    pub fn bytes([width, height]: [u32; 2], bins: u32) -> u64 {
-        u64::from(width) * u64::from(height) * u64::from(bins) * size_of::<f32>() as u64
+    pub const fn bytes([width, height]: [u32; 2], bins: u32) -> u64 {
+        let pixel = bins as u64 * size_of::<f32>() as u64 + size_of::<Counts>() as u64;
+        width as u64 * height as u64 * pixel
     }
 
     /// An empty film.
     pub fn new(width: u32, height: u32, bins: Bins) -> Self {
-        let sums = vec![0.0; width as usize * height as usize * bins.count()];
-        Self { width, height, bins, passes: 0, sums }
+        let pixels = width as usize * height as usize;
+        let (sums, counts) = (vec![0.0; pixels * bins.count()], vec![Counts::default(); pixels]);
+        Self { width, height, bins, passes: 0, sums, counts }
     }
 
     /// A film of `passes` passes that were summed up elsewhere.
     ///
     /// # Panics
-    /// The sums are not one per pixel and bin.
-    pub fn from_sums([width, height]: [u32; 2], bins: Bins, sums: Vec<f32>, passes: u32) -> Self {
-        assert_eq!(sums.len(), width as usize * height as usize * bins.count(), "sums of a film");
-        Self { width, height, bins, passes, sums }
+    /// The sums are not one per pixel and bin, or the counts not one per pixel.
+    pub fn from_sums(
+        [width, height]: [u32; 2],
+        bins: Bins,
+        (sums, counts): (Vec<f32>, Vec<Counts>),
+        passes: u32,
+    ) -> Self {
+        let pixels = width as usize * height as usize;
+        assert_eq!(sums.len(), pixels * bins.count(), "sums of a film");
+        assert_eq!(counts.len(), pixels, "counts of a film");
+        Self { width, height, bins, passes, sums, counts }
     }
 
     /// Width and height in pixels.
@@ -51,6 +66,7 @@ impl Film {
     /// Makes the film empty.
     pub fn clear(&mut self) {
         self.sums.fill(0.0);
+        self.counts.fill(Counts::default());
         self.passes = 0;
     }
 
@@ -64,9 +80,19 @@ impl Film {
         &self.sums
     }
 
-    /// The sums, to add a pass to; followed by [`complete_pass`](Self::complete_pass).
+    /// Sums of the counts, row by row from the top.
+    pub fn counts(&self) -> &[Counts] {
+        &self.counts
+    }
+
+    /// The radiance sums, to add a pass to; followed by [`complete_pass`](Self::complete_pass).
     pub fn sums_mut(&mut self) -> &mut [f32] {
         &mut self.sums
+    }
+
+    /// The same with the counts.
+    pub fn sums_and_counts_mut(&mut self) -> (&mut [f32], &mut [Counts]) {
+        (&mut self.sums, &mut self.counts)
     }
 
     /// Counts the pass that was added to the sums.

@@ -29,6 +29,7 @@ mod workplace;
 
 use std::sync::Arc;
 
+use crate::develop::Shown;
 use crate::error::RendererError;
 use crate::gpu::Graphics;
 use crate::settings::DisplaySettings;
@@ -86,6 +87,19 @@ impl Session {
             drop(display);
             shared.to_develop.ring(Urgency::None);
         }
+    }
+
+    /// Shows this of the film from now on, without retracing. Returns at once.
+    pub fn show(&mut self, shown: Shown) {
+        let shared = &self.running.shared;
+        if std::mem::replace(&mut *lock(&shared.shown), shown) != shown {
+            shared.to_develop.ring(Urgency::None);
+        }
+    }
+
+    /// What is shown of the film, or will be with the next picture.
+    pub fn shown(&self) -> Shown {
+        *lock(&self.running.shared.shown)
     }
 
     /// What was last asked for.

@@ -1,12 +1,15 @@
 //! A graphics device develops films to the same pictures as the processor.
 
 mod films;
+mod heat;
 mod views;
 
 use std::sync::LazyLock;
 
 use brilliance_renderer::color::srgb_decode;
-use brilliance_renderer::develop::{Band, GpuDeveloper, GpuXyzImage, XyzImage};
+use brilliance_renderer::develop::{
+    Band, GpuCountImage, GpuDeveloper, GpuXyzImage, HeatMap, XyzImage,
+};
 use brilliance_renderer::error::RendererError;
 use brilliance_renderer::film::Film;
 use brilliance_renderer::gpu::Graphics;
@@ -22,6 +25,10 @@ static DEVELOPER: LazyLock<GpuDeveloper> =
     LazyLock::new(|| GpuDeveloper::new(&GRAPHICS).expect("its shaders"));
 
 fn expose(film: &Film, bands: &[Band]) -> GpuXyzImage {
+    expose_both(film, bands).0
+}
+
+fn expose_both(film: &Film, bands: &[Band]) -> (GpuXyzImage, GpuCountImage) {
     DEVELOPER.expose(film.size(), film.bins(), film.passes(), bands).expect("an exposed film")
 }
 
@@ -231,7 +238,7 @@ fn a_lost_device_is_an_error_and_no_panic() {
     let developer = GpuDeveloper::new(&graphics).unwrap();
     let size = [16, 9];
     let bins = Bins::new(4);
-    let image = developer.expose(size, bins, 1, &[]).unwrap();
+    let (image, counts) = developer.expose(size, bins, 1, &[]).unwrap();
     // A device that is destroyed is lost as soon as it has no more work.
     image.read().unwrap();
     graphics.device().destroy();
@@ -239,6 +246,8 @@ fn a_lost_device_is_an_error_and_no_panic() {
         developer.expose(size, bins, 1, &[]).err(),
         image.develop(&DisplaySettings::default()).err(),
         image.read().err(),
+        counts.develop(HeatMap::Rays).err(),
+        counts.read().err(),
         GpuDeveloper::new(&graphics).err(),
     ];
     for error in errors {

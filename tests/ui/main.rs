@@ -7,4 +7,5 @@ mod inspector;
 mod inspector_rays;
 mod panel;
 mod picture;
+mod shown;
 mod window;

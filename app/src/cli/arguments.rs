@@ -17,6 +17,7 @@ use super::backend::BackendChoice;
 use super::image_size::ImageSize;
 use super::inspect::InspectArguments;
 use super::picture_format::{BitDepth, picture_format};
+use super::shown::ShownChoice;
 
 /// Most threads worth asking for.
 const MAX_THREADS: u64 = 1024;
@@ -83,6 +84,10 @@ pub(super) struct RenderArguments {
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub(super) assignments: Vec<Assignment>,
 
+    /// What a PNG shows; heat maps have fixed logarithmic scales, and black where there is nothing
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) show: ShownChoice,
+
     /// Bits per channel of a PNG [default: 8]
     #[arg(long, value_enum)]
     pub(super) bits: Option<BitDepth>,
@@ -128,7 +133,9 @@ impl RenderArguments {
 
     /// What clap can't see: options that contradict each other.
     fn check(&self) -> Result<(), String> {
-        self.format()?;
+        if matches!(self.format()?, StillFormat::Exr { .. }) && self.show != ShownChoice::Color {
+            return Err("an OpenEXR picture holds light; name a .png for a heat map".into());
+        }
         self.check_files()?;
         self.check_assignments()?;
         if self.threads.is_some() && self.backend == BackendChoice::Gpu {

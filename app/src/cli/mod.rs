@@ -12,6 +12,7 @@ mod pixel;
 mod progress;
 mod render;
 mod report;
+mod shown;
 mod view;
 
 use std::io::Write as _;

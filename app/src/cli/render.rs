@@ -35,7 +35,8 @@ pub(super) fn render(arguments: &RenderArguments) -> anyhow::Result<()> {
     check_film(&document)?;
     let still = trace(arguments, &document, &cancel)?;
     let base = arguments.output.parent().unwrap_or(Path::new(""));
-    still.write(&arguments.output, format, &document.display, &document.to_toml(base))?;
+    let (display, shown) = (&document.display, arguments.show.into());
+    still.write(&arguments.output, format, display, shown, &document.to_toml(base))?;
 
     let report = Report::new(arguments, &document, &still);
     if let Some(path) = &arguments.stats {
@@ -126,12 +127,13 @@ fn check_film(document: &Document) -> anyhow::Result<()> {
     let [width, height] = document.still.size;
     let bins = document.trace.bins;
     let bytes = Film::bytes(document.still.size, bins);
+    let in_gib = |bytes: u64| bytes as f64 / f64::from(1 << 30);
     ensure!(
         bytes <= Film::MAX_BYTES,
-        "{width}x{height} pixels with {bins} spectral bins need {:.1} GiB, more than the {} GiB \
+        "{width}x{height} pixels with {bins} spectral bins need {:.2} GiB, more than the {:.2} GiB \
          a film may take; ask for a smaller --size or fewer --bins",
-        bytes as f64 / f64::from(1 << 30),
-        Film::MAX_BYTES >> 30,
+        in_gib(bytes),
+        in_gib(Film::MAX_BYTES),
     );
     Ok(())
 }

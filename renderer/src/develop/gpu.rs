@@ -1,18 +1,22 @@
 //! Developing on a graphics device: the film is neither traced again nor read back.
 
+mod count_image;
 mod expose;
 mod xyz_image;
 
 use wgpu::{BindingResource, BufferUsages, ComputePipeline, Device, TextureFormat, TextureUsages};
 
+pub use count_image::GpuCountImage;
 pub use expose::Band;
 pub use xyz_image::GpuXyzImage;
 
+use super::heat::KNOTS;
 use super::tone_curve::REINHARD_WHITE;
 use crate::error::RendererError;
+use crate::film::Counts;
 use crate::gpu::{Graphics, bind};
 use crate::settings::ToneCurve;
-use crate::shaders::{Constant, DEVELOP, EXPOSE, ShaderModule, append, print};
+use crate::shaders::{Constant, DEVELOP, EXPOSE, HEAT, ShaderModule, append, print};
 
 /// Side of the square of pixels that a workgroup takes.
 const WORKGROUP_SIDE: u32 = 8;
@@ -23,6 +27,7 @@ pub struct GpuDeveloper {
     graphics: Graphics,
     expose: ComputePipeline,
     develop: ComputePipeline,
+    heat: ComputePipeline,
 }
 
 impl GpuDeveloper {
@@ -31,12 +36,14 @@ impl GpuDeveloper {
     /// # Errors
     /// The device refuses the shaders, or fails.
     pub fn new(graphics: &Graphics) -> Result<Self, RendererError> {
-        let [expose, develop] = graphics.guard("compile the shaders that develop", |device| {
-            // What a device can't make shows now, and not with the first picture.
-            let _ = (exposed_texture(device, [1, 1]), developed_texture(device, [1, 1]));
-            [pipeline(device, "expose", EXPOSE), pipeline(device, "develop", DEVELOP)]
-        })?;
-        Ok(Self { graphics: graphics.clone(), expose, develop })
+        let [expose, develop, heat] =
+            graphics.guard("compile the shaders that develop", |device| {
+                // What a device can't make shows now, and not with the first picture.
+                let _ = (exposed_texture(device, [1, 1]), developed_texture(device, [1, 1]));
+                [("expose", EXPOSE), ("develop", DEVELOP), ("heat", HEAT)]
+                    .map(|(label, modules)| pipeline(device, label, modules))
+            })?;
+        Ok(Self { graphics: graphics.clone(), expose, develop, heat })
     }
 
     /// Runs `pipeline` over a texture's pixels; each of `runs` binds its resources in the order of
@@ -73,7 +80,7 @@ impl GpuDeveloper {
     }
 }
 
-/// A texture for X, Y and Z.
+/// A texture for X, Y and Z, or for the three counts.
 fn exposed_texture(device: &Device, size: [u32; 2]) -> wgpu::Texture {
     texture(device, size, TextureFormat::Rgba32Float, &[])
 }
@@ -127,6 +134,8 @@ pub(super) fn source(modules: &[ShaderModule]) -> String {
         ("REINHARD", Constant::U32(ToneCurve::Reinhard as u32)),
         ("FILMIC", Constant::U32(ToneCurve::Filmic as u32)),
         ("REINHARD_WHITE", Constant::F32(REINHARD_WHITE)),
+        ("COUNTS_LEN", Constant::U32(Counts::LEN as u32)),
+        ("KNOTS", Constant::U32(KNOTS as u32)),
     ]);
     append(&mut source, modules);
     source
@@ -140,7 +149,7 @@ mod tests {
     /// A module needs only what stands before it.
     #[test]
     fn every_prefix_of_the_shaders_is_valid() {
-        for modules in [EXPOSE, DEVELOP] {
+        for modules in [EXPOSE, DEVELOP, HEAT] {
             for count in 0..=modules.len() {
                 parse(&source(&modules[..count]));
             }

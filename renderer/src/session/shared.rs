@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use super::bell::Bell;
 use super::graphics::GraphicsSlot;
 use super::{Picture, Progress, RenderRequest};
-use crate::develop::{LatentImage, Pixels};
+use crate::develop::{LatentImage, Pixels, Shown};
 use crate::settings::DisplaySettings;
 use crate::tracer::Device;
 
@@ -20,6 +20,8 @@ pub(super) struct Shared<D: Device> {
     pub(super) graphics: Mutex<GraphicsSlot<D>>,
     pub(super) image: Mutex<Option<Arc<Exposed>>>,
     pub(super) display: Mutex<DisplaySettings>,
+    /// What pictures show of the film.
+    pub(super) shown: Mutex<Shown>,
     /// Says that there is something new to develop.
     pub(super) to_develop: Bell,
     pub(super) picture: Mutex<Option<Arc<Picture>>>,
@@ -43,6 +45,7 @@ impl<D: Device> Shared<D> {
             graphics: Mutex::new(GraphicsSlot::new()),
             image: Mutex::new(None),
             display: Mutex::new(DisplaySettings::default()),
+            shown: Mutex::new(Shown::default()),
             to_develop: Bell::new(),
             picture: Mutex::new(None),
             last_serial: Mutex::new(0),

@@ -63,12 +63,15 @@ pub const KERNEL: &[ShaderModule] = modules![
 /// What runs the kernel on a graphics device.
 pub(crate) const WALKERS: &[ShaderModule] = modules!["walkers"];
 
-/// From the film to CIE XYZ.
-pub(crate) const EXPOSE: &[ShaderModule] = modules!["finite", "xyz"];
+/// From the film to CIE XYZ and mean counts.
+pub(crate) const EXPOSE: &[ShaderModule] = modules!["finite", "expose"];
 
 /// From CIE XYZ to sRGB codes.
 pub(crate) const DEVELOP: &[ShaderModule] =
     modules!["finite", "tone_curve", "gamut", "srgb8", "development"];
+
+/// From mean counts to the sRGB codes of a heat map.
+pub(crate) const HEAT: &[ShaderModule] = modules!["heat"];
 
 /// The constants of the kernel, and then `modules`: a whole shader.
 pub fn join(modules: &[ShaderModule]) -> String {

@@ -145,8 +145,9 @@ impl Tracer for GpuTracer {
     }
 
     fn expose(&self, film: &GpuFilm) -> Result<LatentImage, RendererError> {
-        let image = self.developer.expose(film.size(), film.bins(), film.passes(), film.bands())?;
-        Ok(LatentImage::Graphics(image))
+        let (size, bins) = (film.size(), film.bins());
+        let (light, counts) = self.developer.expose(size, bins, film.passes(), film.bands())?;
+        Ok(LatentImage::Graphics { light, counts })
     }
 
     fn read(&self, film: GpuFilm) -> Result<Film, RendererError> {

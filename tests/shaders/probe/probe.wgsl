@@ -202,6 +202,7 @@ fn begin_walk() {
 // The books, the radiance, and the rays that wait, the last one first.
 fn put_walk() {
     put_u32(walk.tally.segments);
+    put_u32(walk.tally.depth);
     put_f32(walk.tally.returned);
     put_f32(walk.tally.absorbed);
     put_f32(walk.tally.pruned);

@@ -316,6 +316,7 @@ impl Put {
     pub(crate) fn walk(&mut self, walk: &mut Walk<'_>) {
         let tally = walk.tally;
         self.u32(tally.segments);
+        self.u32(tally.depth);
         for energy in [tally.returned, tally.absorbed, tally.pruned, tally.cut_off, tally.lost] {
             self.f32(energy);
         }

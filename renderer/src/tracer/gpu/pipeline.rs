@@ -8,6 +8,7 @@ use wgpu::{
 use super::progress::{ACCOUNT_COUNT, ENERGY_UNIT, SUM_COUNT};
 use super::walkers::STACK_BYTES;
 use crate::error::RendererError;
+use crate::film::Counts;
 use crate::gpu::Graphics;
 use crate::shaders::{Constant, KERNEL, WALKERS, append, join, print};
 
@@ -68,6 +69,7 @@ fn source() -> String {
         ("ACCOUNT_COUNT", Constant::U32(ACCOUNT_COUNT as u32)),
         ("SUM_COUNT", Constant::U32(SUM_COUNT as u32)),
         ("ENERGY_UNIT", Constant::F32(ENERGY_UNIT)),
+        ("COUNTS_LEN", Constant::U32(Counts::LEN as u32)),
     ]);
     source.push_str(&join(KERNEL));
     append(&mut source, WALKERS);
