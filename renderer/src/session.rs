@@ -19,6 +19,7 @@ mod develop_thread;
 mod graphics;
 mod job;
 mod progress;
+mod reading;
 mod render_thread;
 mod request;
 mod shared;
@@ -30,12 +31,14 @@ mod workplace;
 use std::sync::Arc;
 
 use crate::error::RendererError;
+use crate::film::Region;
 use crate::gpu::Graphics;
 use crate::settings::DisplaySettings;
 use crate::tracer::{CpuTracer, TracingDevice};
 use bell::Urgency;
 pub use graphics::{GraphicsFailure, GraphicsState};
 pub use progress::{Activity, Picture, Progress};
+pub use reading::Reading;
 pub use request::RenderRequest;
 use shared::lock;
 use threads::Threads;
@@ -86,6 +89,19 @@ impl Session {
             drop(display);
             shared.to_develop.ring(Urgency::None);
         }
+    }
+
+    /// Reads the spectrum of this region of the picture from now on, with every state of the film
+    /// that is handed on, and once from a film that is finished; None ends that. Nothing is traced
+    /// for it. Returns at once.
+    pub fn watch(&mut self, region: Option<Region>) {
+        self.running.watch(region);
+    }
+
+    /// The newest reading while a region is watched: of that region, or of the one watched before
+    /// where nothing was read since.
+    pub fn reading(&self) -> Option<Arc<Reading>> {
+        lock(&self.running.shared.watch).reading().cloned()
     }
 
     /// What was last asked for.

@@ -1,6 +1,7 @@
 //! Developing on a graphics device: the film is neither traced again nor read back.
 
 mod expose;
+mod region;
 mod xyz_image;
 
 use wgpu::{BindingResource, BufferUsages, ComputePipeline, Device, TextureFormat, TextureUsages};
@@ -12,16 +13,17 @@ use super::tone_curve::REINHARD_WHITE;
 use crate::error::RendererError;
 use crate::gpu::{Graphics, bind};
 use crate::settings::ToneCurve;
-use crate::shaders::{Constant, DEVELOP, EXPOSE, ShaderModule, append, print};
+use crate::shaders::{Constant, DEVELOP, EXPOSE, REGION, ShaderModule, append, print};
 
-/// Side of the square of pixels that a workgroup takes.
+/// Side of the square of pixels, or of rows and bins, that a workgroup takes.
 const WORKGROUP_SIDE: u32 = 8;
 
-/// Exposes and develops films in the memory of a graphics device. Cloning shares it.
+/// Exposes, develops and measures films in the memory of a graphics device. Cloning shares it.
 #[derive(Clone, Debug)]
 pub struct GpuDeveloper {
     graphics: Graphics,
     expose: ComputePipeline,
+    sum_rows: ComputePipeline,
     develop: ComputePipeline,
 }
 
@@ -31,15 +33,17 @@ impl GpuDeveloper {
     /// # Errors
     /// The device refuses the shaders, or fails.
     pub fn new(graphics: &Graphics) -> Result<Self, RendererError> {
-        let [expose, develop] = graphics.guard("compile the shaders that develop", |device| {
-            // What a device can't make shows now, and not with the first picture.
-            let _ = (exposed_texture(device, [1, 1]), developed_texture(device, [1, 1]));
-            [pipeline(device, "expose", EXPOSE), pipeline(device, "develop", DEVELOP)]
-        })?;
-        Ok(Self { graphics: graphics.clone(), expose, develop })
+        let [expose, sum_rows, develop] =
+            graphics.guard("compile the shaders that develop", |device| {
+                // What a device can't make shows now, and not with the first picture.
+                let _ = (exposed_texture(device, [1, 1]), developed_texture(device, [1, 1]));
+                [("expose", EXPOSE), ("sum rows", REGION), ("develop", DEVELOP)]
+                    .map(|(label, modules)| pipeline(device, label, modules))
+            })?;
+        Ok(Self { graphics: graphics.clone(), expose, sum_rows, develop })
     }
 
-    /// Runs `pipeline` over a texture's pixels; each of `runs` binds its resources in the order of
+    /// Runs `pipeline` over pixels, or bins and rows; each of `runs` binds its resources in the order of
     /// their numbers and says how many columns and rows it covers.
     fn submit<'a>(
         &self,
@@ -124,6 +128,7 @@ fn pipeline(device: &Device, label: &str, modules: &[ShaderModule]) -> ComputePi
 pub(super) fn source(modules: &[ShaderModule]) -> String {
     let mut source = print([
         ("WORKGROUP_SIDE", Constant::U32(WORKGROUP_SIDE)),
+        ("COLUMNS_PER_GROUP", Constant::U32(region::COLUMNS_PER_GROUP)),
         ("REINHARD", Constant::U32(ToneCurve::Reinhard as u32)),
         ("FILMIC", Constant::U32(ToneCurve::Filmic as u32)),
         ("REINHARD_WHITE", Constant::F32(REINHARD_WHITE)),
@@ -140,7 +145,7 @@ mod tests {
     /// A module needs only what stands before it.
     #[test]
     fn every_prefix_of_the_shaders_is_valid() {
-        for modules in [EXPOSE, DEVELOP] {
+        for modules in [EXPOSE, REGION, DEVELOP] {
             for count in 0..=modules.len() {
                 parse(&source(&modules[..count]));
             }

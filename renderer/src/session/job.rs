@@ -5,9 +5,9 @@ use std::time::{Duration, Instant};
 use super::bell::{Generation, Urgency};
 use super::develop_thread::develop;
 use super::graphics::Refusal;
-use super::shared::{Exposed, Shared};
+use super::shared::{Exposed, Shared, lock};
 use super::workplace::Fault;
-use super::{Activity, Progress, RenderRequest};
+use super::{Activity, Progress, Reading, RenderRequest};
 use crate::error::RendererError;
 use crate::packed::PackedScene;
 use crate::scheduler::{Effort, Scheduler, Work};
@@ -157,6 +157,7 @@ impl<T: Tracer> Job<T> {
             show(shared, Exposed { image, device });
         }
         exposure.published = Some((Instant::now(), passes));
+        exposure.read_watched(shared, tracer, &self.request)?;
         let activity = match (is_done, exposure.effort) {
             (true, _) => Activity::Done,
             (false, Effort::Full) => Activity::Accumulating,
@@ -206,17 +207,58 @@ struct Exposure<F> {
     seconds: f64,
     /// When, and after how many passes, the film was last handed on.
     published: Option<(Instant, u32)>,
+    /// What was watched, by its number, and after how many passes it was last read.
+    read: Option<(u64, u32)>,
 }
 
 impl<F> Exposure<F> {
     fn new(film: F, size: [u32; 2], effort: Effort) -> Self {
         let statistics = Statistics::default();
-        Self { film, size, effort, passes: 0, statistics, seconds: 0.0, published: None }
+        Self {
+            film,
+            size,
+            effort,
+            passes: 0,
+            statistics,
+            seconds: 0.0,
+            published: None,
+            read: None,
+        }
     }
 
     fn add(&mut self, passes: u32, statistics: &Statistics, seconds: f64) {
         self.passes += passes;
         self.statistics += *statistics;
         self.seconds += seconds;
+    }
+
+    /// Reads the region that is watched, if any, unless that was done in this state of the film.
+    fn read_watched<D: Device, T: Tracer<Film = F>>(
+        &mut self,
+        shared: &Shared<D>,
+        tracer: &T,
+        request: &RenderRequest,
+    ) -> Result<(), Fault> {
+        let watched = lock(&shared.watch).watched();
+        let Some((region, number)) = watched else { return Ok(()) };
+        let state = Some((number, self.passes));
+        if self.read == state {
+            return Ok(());
+        }
+        self.read = state;
+        let pixels = region.pixels(self.size);
+        let spectrum = tracer.mean_spectrum(&self.film, pixels).map_err(Fault::new)?;
+        let reading = Reading {
+            region,
+            pixels,
+            film_size: self.size,
+            bins: Bins::new(request.trace.bins),
+            spectrum,
+            passes: self.passes,
+            is_draft: self.effort == Effort::Draft || self.size != request.size,
+            serial: 0,
+        };
+        lock(&shared.watch).take(number, reading);
+        Ok(())
     }
 }

@@ -9,6 +9,7 @@ use super::bell::Urgency;
 use super::shared::{Shared, lock};
 use super::{GraphicsState, RenderRequest, develop_thread, render_thread};
 use crate::error::RendererError;
+use crate::film::Region;
 use crate::tracer::{CpuTracer, DEVICE_PANICKED, Device};
 
 /// Longest wait for shaders that are still being compiled when the session ends. A process that
@@ -45,6 +46,13 @@ impl<D: Device> Threads<D> {
         *lock(&self.shared.request) = Some(request);
         self.prepare();
         self.shared.to_trace.ring(if is_urgent { Urgency::Wish } else { Urgency::None });
+    }
+
+    /// Reads the spectrum of `region` from now on. No work is dropped for that.
+    pub(super) fn watch(&mut self, region: Option<Region>) {
+        if lock(&self.shared.watch).set(region) && region.is_some() {
+            self.shared.to_trace.ring(Urgency::None);
+        }
     }
 
     /// Lets requests be traced on `device`.

@@ -6,7 +6,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use super::{Tracer, TracerName, View, rules};
 use crate::develop::{LatentImage, XyzImage};
 use crate::error::RendererError;
-use crate::film::Film;
+use crate::film::{Film, PixelRect};
 use crate::kernel::camera::{camera_ray, pixel_seed};
 use crate::kernel::trace::trace;
 use crate::kernel::walk::{RayStack, Tally, Walk};
@@ -131,6 +131,10 @@ impl Tracer for CpuTracer {
 
     fn expose(&self, film: &Film) -> Result<LatentImage, RendererError> {
         Ok(LatentImage::Memory(XyzImage::from_film(film)))
+    }
+
+    fn mean_spectrum(&self, film: &Film, rect: PixelRect) -> Result<Vec<f32>, RendererError> {
+        Ok(self.pool.install(|| film.mean_spectrum(rect)))
     }
 
     fn read(&self, film: Film) -> Result<Film, RendererError> {
