@@ -10,6 +10,7 @@
 //! Everything that depends on [`DisplaySettings`] happens after [`XyzImage`], so that a finished
 //! film develops again without being traced again.
 
+mod color_path;
 mod development;
 mod gamut;
 mod gpu;
@@ -22,6 +23,7 @@ use rayon::prelude::*;
 use crate::color;
 use crate::error::RendererError;
 use crate::settings::DisplaySettings;
+pub use color_path::{ColorPath, GamutFault, GamutShift};
 pub use gpu::{Band, GpuDeveloper, GpuXyzImage};
 pub use xyz::XyzImage;
 
