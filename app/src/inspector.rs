@@ -4,11 +4,17 @@ mod pick;
 mod rays;
 mod spectrum;
 
+use std::sync::Arc;
+
 use brilliance_renderer::camera::Camera;
+use brilliance_renderer::film::Region;
+use brilliance_renderer::session::Reading;
+use brilliance_renderer::settings::DisplaySettings;
 use eframe::egui::{Frame, Margin, Painter, Panel, Rect, RichText, ScrollArea, Ui};
 
 use crate::theme;
 pub use pick::{Pick, PixelRect};
+use spectrum::SpectrumTab;
 
 /// What of a pixel is explained.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -26,6 +32,7 @@ pub struct Inspector {
     shown: bool,
     tab: Tab,
     pick: Option<Pick>,
+    spectrum: SpectrumTab,
 }
 
 impl Inspector {
@@ -49,13 +56,20 @@ impl Inspector {
         self.pick = Some(Pick { pixels, size, camera });
     }
 
+    /// The part of the picture whose spectrum is shown.
+    pub fn watched(&self) -> Option<Region> {
+        let watches = self.shown && self.tab == Tab::Spectrum;
+        self.pick.filter(|_| watches).map(|pick| pick.region())
+    }
+
     /// Forgets what belongs to a document that is no longer open.
     pub fn clear(&mut self) {
         self.pick = None;
     }
 
-    /// Shows the panel, if it is open.
-    pub fn show(&mut self, ui: &mut Ui) {
+    /// Shows the panel, if it is open: the newest `reading` of what is watched, and what the display
+    /// settings make of it.
+    pub fn show(&mut self, ui: &mut Ui, reading: Option<&Arc<Reading>>, display: &DisplaySettings) {
         if !self.shown {
             return;
         }
@@ -75,7 +89,9 @@ impl Inspector {
                     match (self.tab, self.pick) {
                         (_, None) => empty_ui(ui, self.tab),
                         (Tab::Rays, Some(pick)) => rays::show(ui, &pick),
-                        (Tab::Spectrum, Some(pick)) => spectrum::show(ui, &pick),
+                        (Tab::Spectrum, Some(pick)) => {
+                            self.spectrum.show(ui, pick.region(), reading, display);
+                        }
                     }
                 });
             },

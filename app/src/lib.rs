@@ -24,6 +24,7 @@ pub mod path_dialog;
 pub mod picture_painter;
 pub mod question;
 pub mod row;
+pub mod spectrum_csv;
 pub mod status;
 pub mod task;
 pub mod theme;

@@ -10,6 +10,7 @@
 //! Everything that depends on [`DisplaySettings`] happens after [`XyzImage`], so that a finished
 //! film develops again without being traced again.
 
+mod brightest;
 mod color_path;
 mod development;
 mod gamut;
@@ -23,6 +24,7 @@ use rayon::prelude::*;
 use crate::color;
 use crate::error::RendererError;
 use crate::settings::DisplaySettings;
+pub use brightest::brightest_srgb8;
 pub use color_path::{ColorPath, GamutFault, GamutShift};
 pub use gpu::{Band, GpuDeveloper, GpuXyzImage};
 pub use xyz::XyzImage;
