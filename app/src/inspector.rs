@@ -56,10 +56,11 @@ impl Inspector {
         self.pick = Some(Pick { pixels, size, camera });
     }
 
-    /// The part of the picture whose spectrum is shown.
+    /// The part of the picture whose spectrum is shown, or all of it before one is picked, so that
+    /// the session is ready for that.
     pub fn watched(&self) -> Option<Region> {
         let watches = self.shown && self.tab == Tab::Spectrum;
-        self.pick.filter(|_| watches).map(|pick| pick.region())
+        watches.then(|| self.pick.map_or(Region::WHOLE, |pick| pick.region()))
     }
 
     /// Forgets what belongs to a document that is no longer open.

@@ -19,6 +19,7 @@ mod develop_thread;
 mod graphics;
 mod job;
 mod progress;
+mod read_thread;
 mod reading;
 mod render_thread;
 mod request;
@@ -91,9 +92,12 @@ impl Session {
         }
     }
 
-    /// Reads the spectrum of this region of the picture from now on, with every state of the film
-    /// that is handed on, and once from a film that is finished; None ends that. Nothing is traced
-    /// for it. Returns at once.
+    /// Reads the spectrum of this region of the picture from now on: of the film as it was handed
+    /// on last, and then with every state of it; None ends that. Nothing is traced for it. Returns
+    /// at once.
+    ///
+    /// While a region is watched, and the processor's passes take long, a copy of the film is kept
+    /// so that another region can be read during a pass.
     pub fn watch(&mut self, region: Option<Region>) {
         self.running.watch(region);
     }

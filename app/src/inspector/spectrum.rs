@@ -34,13 +34,15 @@ impl SpectrumTab {
         display: &DisplaySettings,
     ) {
         let Some(reading) = reading else {
-            ui.label(RichText::new("Reading the film\u{2026}").color(theme::TEXT_WEAK));
+            caption_ui(ui, "The spectrum comes with the next pass\u{2026}");
             return;
         };
         origin_ui(ui, reading, region);
-        plot::plot_ui(ui, reading, self.kept.as_deref(), self.is_logarithmic).on_hover_text(
-            "Mean spectral radiance per bin; 1 at every wavelength is luminance 1. The curves are \
-             the CIE 1931 colour-matching functions, to a scale of their own.",
+        plot::plot_ui(ui, reading, self.kept.as_deref(), self.is_logarithmic);
+        caption_ui(
+            ui,
+            "Mean spectral radiance; 1 at every wavelength is luminance 1. The curves are the CIE \
+             1931 colour-matching functions, to a scale of their own.",
         );
         self.actions_ui(ui, reading, display);
         ui.add_space(6.0);
@@ -52,9 +54,11 @@ impl SpectrumTab {
         let color = if is_moved { theme::WARNING } else { theme::TEXT };
         ui.label(RichText::new(verdict).color(color));
         ui.add_space(6.0);
-        diagram::diagram_ui(ui, &seen.path, kept.as_ref().map(|kept| &kept.path)).on_hover_text(
+        diagram::diagram_ui(ui, &seen.path, kept.as_ref().map(|kept| &kept.path));
+        caption_ui(
+            ui,
             "Ring: the light in the scene. Dashes: white balance. Arrow: gamut mapping. Dot: what \
-             is shown.",
+             the screen shows.",
         );
         ui.add_space(6.0);
         numbers::numbers_ui(ui, &seen, kept.as_ref());
@@ -100,11 +104,18 @@ fn origin_ui(ui: &mut Ui, reading: &Reading, region: Region) {
     ui.horizontal_wrapped(|ui| {
         ui.label(RichText::new(origin(reading)).color(theme::TEXT_WEAK));
         if reading.region != region {
-            ui.label(RichText::new("as picked before; reading\u{2026}").color(theme::WARNING));
+            ui.label(
+                RichText::new("as picked before; the next pass brings the new one")
+                    .color(theme::WARNING),
+            );
         } else if reading.is_draft {
             ui.label(RichText::new("draft").color(theme::WARNING));
         }
     });
+}
+
+fn caption_ui(ui: &mut Ui, text: &str) {
+    ui.label(RichText::new(text).small().color(theme::TEXT_WEAK));
 }
 
 fn origin(reading: &Reading) -> String {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::film::{PixelRect, Region};
+use crate::film::{Film, PixelRect, Region};
 use crate::spectrum::Bins;
 
 /// What the film has in a region.
@@ -27,14 +27,40 @@ pub struct Reading {
     pub serial: u64,
 }
 
+/// A copy of a film, to be read while the film itself is worked on.
+pub(super) struct FilmCopy {
+    pub(super) film: Film,
+    pub(super) is_draft: bool,
+}
+
+impl FilmCopy {
+    /// Reads a region.
+    pub(super) fn read(&self, region: Region) -> Reading {
+        let pixels = region.pixels(self.film.size());
+        Reading {
+            region,
+            pixels,
+            film_size: self.film.size(),
+            bins: self.film.bins(),
+            spectrum: self.film.mean_spectrum(pixels),
+            passes: self.film.passes(),
+            is_draft: self.is_draft,
+            serial: 0,
+        }
+    }
+}
+
 /// The region that is watched, and what was last read there.
 #[derive(Default)]
 pub(super) struct Watch {
     region: Option<Region>,
     /// Changes with the region, so that what is late from an earlier one is known as such.
     number: u64,
-    reading: Option<Arc<Reading>>,
+    /// The newest reading, and the number of the region that it is of.
+    reading: Option<(Arc<Reading>, u64)>,
     last_serial: u64,
+    /// The film as it was handed on last, while it takes long until that happens again.
+    copy: Option<Arc<FilmCopy>>,
 }
 
 impl Watch {
@@ -47,6 +73,7 @@ impl Watch {
         self.number += 1;
         if region.is_none() {
             self.reading = None;
+            self.copy = None;
         }
         true
     }
@@ -57,14 +84,32 @@ impl Watch {
     }
 
     pub(super) fn reading(&self) -> Option<&Arc<Reading>> {
-        self.reading.as_ref()
+        self.reading.as_ref().map(|(reading, _)| reading)
     }
 
     /// Takes note of a reading of that number, unless another region is watched by now.
     pub(super) fn take(&mut self, number: u64, reading: Reading) {
         if self.number == number {
             self.last_serial += 1;
-            self.reading = Some(Arc::new(Reading { serial: self.last_serial, ..reading }));
+            let reading = Reading { serial: self.last_serial, ..reading };
+            self.reading = Some((Arc::new(reading), number));
         }
+    }
+
+    /// [`take`](Self::take) for what was read from a copy: only until there is a reading of that
+    /// number, which is no older.
+    pub(super) fn take_first(&mut self, number: u64, reading: Reading) {
+        if self.reading.as_ref().is_none_or(|&(_, read)| read != number) {
+            self.take(number, reading);
+        }
+    }
+
+    /// Keeps a copy of the film that is watched, or none.
+    pub(super) fn keep(&mut self, copy: Option<FilmCopy>) {
+        self.copy = copy.filter(|_| self.region.is_some()).map(Arc::new);
+    }
+
+    pub(super) fn copy(&self) -> Option<&Arc<FilmCopy>> {
+        self.copy.as_ref()
     }
 }

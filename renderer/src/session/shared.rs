@@ -28,6 +28,8 @@ pub(super) struct Shared<D: Device> {
     pub(super) last_serial: Mutex<u64>,
     pub(super) progress: Mutex<Progress>,
     pub(super) watch: Mutex<Watch>,
+    /// Says that another region is watched than the render thread knows of.
+    pub(super) to_read: Bell,
     on_update: Box<dyn Fn() + Send + Sync>,
 }
 
@@ -50,6 +52,7 @@ impl<D: Device> Shared<D> {
             last_serial: Mutex::new(0),
             progress: Mutex::new(Progress::default()),
             watch: Mutex::new(Watch::default()),
+            to_read: Bell::new(),
             on_update: Box::new(on_update),
         }
     }

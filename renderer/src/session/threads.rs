@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use super::bell::Urgency;
 use super::shared::{Shared, lock};
-use super::{GraphicsState, RenderRequest, develop_thread, render_thread};
+use super::{GraphicsState, RenderRequest, develop_thread, read_thread, render_thread};
 use crate::error::RendererError;
 use crate::film::Region;
 use crate::tracer::{CpuTracer, DEVICE_PANICKED, Device};
@@ -25,7 +25,7 @@ pub(super) struct Threads<D: Device> {
 }
 
 impl<D: Device> Threads<D> {
-    /// Starts the render and the develop thread.
+    /// Starts the render, the develop and the read thread.
     ///
     /// # Errors
     /// The system refuses the threads.
@@ -35,9 +35,10 @@ impl<D: Device> Threads<D> {
     ) -> Result<Self, RendererError> {
         let shared = Arc::new(Shared::new(on_update));
         let mut threads = Self { shared, workers: Vec::new(), compilers: Vec::new() };
-        let (render, develop) = (Arc::clone(&threads.shared), Arc::clone(&threads.shared));
+        let [render, develop, read] = [(); 3].map(|()| Arc::clone(&threads.shared));
         threads.workers.push(spawn("render", move || render_thread::run(&render, cpu))?);
         threads.workers.push(spawn("develop", move || develop_thread::run(&develop))?);
+        threads.workers.push(spawn("read", move || read_thread::run(&read))?);
         Ok(threads)
     }
 
@@ -52,6 +53,7 @@ impl<D: Device> Threads<D> {
     pub(super) fn watch(&mut self, region: Option<Region>) {
         if lock(&self.shared.watch).set(region) && region.is_some() {
             self.shared.to_trace.ring(Urgency::None);
+            self.shared.to_read.ring(Urgency::None);
         }
     }
 
@@ -115,6 +117,7 @@ impl<D: Device> Drop for Threads<D> {
     fn drop(&mut self) {
         self.shared.to_trace.close();
         self.shared.to_develop.close();
+        self.shared.to_read.close();
         let deadline = Instant::now() + COMPILER_PATIENCE;
         while self.compilers.iter().any(|compiler| !compiler.is_finished())
             && Instant::now() < deadline

@@ -173,6 +173,10 @@ impl Tracer for FakeTracer {
         self.cpu.mean_spectrum(film, rect)
     }
 
+    fn copy(&self, film: &Film) -> Option<Film> {
+        self.cpu.copy(film)
+    }
+
     fn read(&self, film: Film) -> Result<Film, RendererError> {
         self.device.call(Call::Read)?;
         self.cpu.read(film)

@@ -140,6 +140,10 @@ impl Tracer for GpuTracer {
         self.developer.mean_spectrum(film.size(), bins, passes, film.bands(), rect)
     }
 
+    fn copy(&self, _film: &GpuFilm) -> Option<Film> {
+        None
+    }
+
     fn read(&self, film: GpuFilm) -> Result<Film, RendererError> {
         film.read(&self.graphics)
     }

@@ -80,6 +80,10 @@ pub trait Tracer {
     /// The device fails.
     fn mean_spectrum(&self, film: &Self::Film, rect: PixelRect) -> Result<Vec<f32>, RendererError>;
 
+    /// A copy of the film in the processor's memory, to be read while the film is traced on. None
+    /// where the film is elsewhere; passes are short there.
+    fn copy(&self, film: &Self::Film) -> Option<Film>;
+
     /// The film in the processor's memory.
     ///
     /// # Errors

@@ -52,9 +52,14 @@ impl Axis {
 }
 
 /// The smallest of 1, 2 or 5 times a power of ten that is not below `value` > 0.
-pub(super) fn round_up(value: f64) -> f64 {
+fn round_up(value: f64) -> f64 {
+    round_up_to(&[1.0, 2.0, 5.0], value)
+}
+
+/// The smallest of `factors` in 1..10, in order, times a power of ten that is not below `value` > 0.
+pub(super) fn round_up_to(factors: &[f64], value: f64) -> f64 {
     let power = 10_f64.powf(value.log10().floor());
-    let factor = [1.0, 2.0, 5.0].into_iter().find(|factor| factor * power >= value * (1.0 - 1e-9));
+    let factor = factors.iter().copied().find(|factor| factor * power >= value * (1.0 - 1e-9));
     factor.unwrap_or(10.0) * power
 }
 
@@ -64,10 +69,10 @@ fn power_of_ten(power: i32) -> String {
 
 /// As many decimals as the step needs; in powers of ten where these are many.
 fn written(value: f64, decimals: usize) -> String {
-    if decimals > 4 && value != 0.0 {
-        format!("{value:.0e}")
-    } else {
-        format!("{value:.decimals$}")
+    match decimals {
+        0..=4 => format!("{value:.decimals$}"),
+        _ if value == 0.0 => "0".to_owned(),
+        _ => format!("{value:.0e}"),
     }
 }
 
@@ -88,7 +93,7 @@ mod tests {
         let wavelengths = Axis::linear(380.0..=730.0, [0.0, 350.0]);
         assert_eq!(texts(&wavelengths, 8), ["400", "450", "500", "550", "600", "650", "700"]);
         assert!((wavelengths.value_at(wavelengths.at(589.0)) - 589.0).abs() < 1e-4);
-        assert_eq!(texts(&Axis::linear(0.0..=2e-6, [0.0, 1.0]), 2), ["0.00000", "1e-6", "2e-6"]);
+        assert_eq!(texts(&Axis::linear(0.0..=2e-6, [0.0, 1.0]), 2), ["0", "1e-6", "2e-6"]);
     }
 
     #[test]

@@ -17,7 +17,8 @@ use super::plot::KEPT;
 use crate::theme;
 
 /// What of u′ and v′ is seen.
-const LARGEST: DVec2 = DVec2::new(0.66, 0.62);
+const SMALLEST: DVec2 = DVec2::new(-0.06, -0.01);
+const LARGEST: DVec2 = DVec2::new(0.66, 0.63);
 /// Room for the numbers at the axes, in points.
 const LEFT: f32 = 30.0;
 const BOTTOM: f32 = 20.0;
@@ -25,8 +26,7 @@ const BOTTOM: f32 = 20.0;
 const LOCUS_NM: [u32; 2] = [380, 700];
 const LOCUS_STEP_NM: usize = 4;
 /// Wavelengths that are written at the locus, in nm.
-const LABELLED_NM: [u32; 14] =
-    [420, 440, 460, 470, 480, 490, 500, 510, 520, 540, 560, 580, 600, 620];
+const LABELLED_NM: [u32; 13] = [440, 460, 470, 480, 490, 500, 520, 540, 560, 580, 600, 620, 650];
 /// Rings of the coloured area around the white.
 const RINGS: usize = 14;
 /// Temperatures along the Planckian locus in K, and those that are written.
@@ -72,16 +72,16 @@ struct Plane {
 /// Draws the diagram with the colour and its way to the screen, and the colour that was kept.
 pub(super) fn diagram_ui(ui: &mut Ui, current: &ColorPath, kept: Option<&ColorPath>) -> Response {
     let width = ui.available_width().min(520.0);
-    let inner = vec2(width - LEFT - 6.0, (width - LEFT - 6.0) * (LARGEST.y / LARGEST.x) as f32);
+    let range = LARGEST - SMALLEST;
+    let inner = vec2(width - LEFT - 6.0, (width - LEFT - 6.0) * (range.y / range.x) as f32);
     let (room, response) =
         ui.allocate_exact_size(vec2(width, inner.y + BOTTOM + 6.0), Sense::hover());
-    response.widget_info(|| {
-        WidgetInfo::labeled(Role::Image, true, "Chromaticity in the u\u{2032}v\u{2032} diagram")
-    });
+    response
+        .widget_info(|| WidgetInfo::labeled(Role::Image, true, "Chromaticity in the u'v' diagram"));
     let area = Rect::from_min_size(room.min + vec2(LEFT, 6.0), inner);
     let plane = Plane {
-        u: Axis::linear(0.0..=LARGEST.x, [area.left(), area.right()]),
-        v: Axis::linear(0.0..=LARGEST.y, [area.bottom(), area.top()]),
+        u: Axis::linear(SMALLEST.x..=LARGEST.x, [area.left(), area.right()]),
+        v: Axis::linear(SMALLEST.y..=LARGEST.y, [area.bottom(), area.top()]),
     };
     let painter = ui.painter_at(room);
     painter.rect_filled(area, 0.0, theme::BACKDROP);
@@ -118,9 +118,9 @@ impl Plane {
         let corner = area.right_bottom();
         let name = FontId::proportional(12.0);
         let at = corner + vec2(-4.0, -4.0);
-        painter.text(at, Align2::RIGHT_BOTTOM, "u\u{2032}", name.clone(), theme::TEXT_WEAK);
+        painter.text(at, Align2::RIGHT_BOTTOM, "u'", name.clone(), theme::TEXT_WEAK);
         let at = area.left_top() + vec2(5.0, 3.0);
-        painter.text(at, Align2::LEFT_TOP, "v\u{2032}", name, theme::TEXT_WEAK);
+        painter.text(at, Align2::LEFT_TOP, "v'", name, theme::TEXT_WEAK);
     }
 
     fn colors(&self) -> Shape {

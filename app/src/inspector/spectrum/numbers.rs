@@ -7,7 +7,8 @@ use brilliance_renderer::settings::DisplaySettings;
 use brilliance_renderer::spectrum::{DominantWavelength, Observer};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Color32, CornerRadius, Grid, RichText, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
+    Align2, Color32, CornerRadius, FontId, Grid, RichText, Sense, Stroke, StrokeKind, Ui,
+    WidgetInfo, vec2,
 };
 use glam::DVec3;
 
@@ -52,10 +53,8 @@ impl Seen {
             _ if self.is_mapped => format!("moved towards white by {percent:.0} %"),
             _ => "its channels are cut off, since gamut mapping is off".to_owned(),
         };
-        let distances = format!(
-            "\u{394}u\u{2032}v\u{2032} {:.3}, \u{394}E2000 {:.1}",
-            shift.uv_prime, shift.delta_e_2000
-        );
+        let distances =
+            format!("\u{394}u'v' {:.3}, \u{394}E2000 {:.1}", shift.uv_prime, shift.delta_e_2000);
         (format!("{fault}: {done} ({distances})."), true)
     }
 
@@ -76,7 +75,7 @@ impl Seen {
             ("Y", significant(xyz.y)),
             ("Z", significant(xyz.z)),
             ("x, y", pair(color::xy(xyz).to_array())),
-            ("u\u{2032}, v\u{2032}", pair(color::uv_prime(xyz).to_array())),
+            ("u', v'", pair(color::uv_prime(xyz).to_array())),
             ("Dominant wavelength", dominant),
             ("Purity", purity),
             ("Linear RGB wanted", triple(self.path.toned)),
@@ -100,7 +99,7 @@ pub(super) fn swatches_ui(ui: &mut Ui, seen: &Seen) {
     let width = 0.5 * ui.available_width();
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 0.0;
-        let sides = [("Without gamut mapping", seen.clipped()), ("Shown", seen.path.srgb8)];
+        let sides = [("cut off", seen.clipped()), ("shown", seen.path.srgb8)];
         for (number, (name, code)) in sides.into_iter().enumerate() {
             let (rect, response) = ui.allocate_exact_size(vec2(width, 26.0), Sense::hover());
             let round = if number == 0 {
@@ -112,6 +111,9 @@ pub(super) fn swatches_ui(ui: &mut Ui, seen: &Seen) {
             let stroke = Stroke::new(1.0, theme::LINE);
             let fill = Color32::from_rgb(r, g, b);
             ui.painter().rect(rect, round, fill, stroke, StrokeKind::Inside);
+            let ink = if fill.intensity() > 0.5 { Color32::BLACK } else { Color32::WHITE };
+            let font = FontId::proportional(11.5);
+            ui.painter().text(rect.center(), Align2::CENTER_CENTER, name, font, ink);
             let label = format!("{name}: {}", hex(code));
             response.widget_info(|| WidgetInfo::labeled(Role::Image, true, &label));
             response.on_hover_text(label);

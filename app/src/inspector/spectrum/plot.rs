@@ -12,7 +12,7 @@ use eframe::egui::{
     WidgetInfo, pos2, vec2,
 };
 
-use super::axis::{Axis, round_up};
+use super::axis::{Axis, round_up_to};
 use crate::theme;
 
 /// What a kept spectrum is drawn with, here and in the diagram.
@@ -24,6 +24,8 @@ const BOTTOM: f32 = 20.0;
 const TOP: f32 = 8.0;
 /// Powers of ten that a logarithmic axis spans.
 const DECADES: i32 = 4;
+/// Where the axis ends, times a power of ten: few, so that it stands still while passes come.
+const TOPS: [f64; 6] = [1.0, 1.5, 2.0, 3.0, 4.0, 6.0];
 /// The top of the axis where there is no light.
 const DARK_TOP: f64 = 1.0;
 
@@ -80,7 +82,7 @@ pub(super) fn plot_ui(
 
 impl Axes {
     fn new(area: Rect, brightest: f64, is_logarithmic: bool) -> Self {
-        let top = if brightest > 0.0 { round_up(1.02 * brightest) } else { DARK_TOP };
+        let top = if brightest > 0.0 { round_up_to(&TOPS, 1.02 * brightest) } else { DARK_TOP };
         let bottom = if is_logarithmic { top * 10_f64.powi(-DECADES) } else { 0.0 };
         let radiance = Axis::linear(bottom..=top, [area.bottom(), area.top()]);
         let range_nm = LAMBDA_MIN_NM.into()..=LAMBDA_MAX_NM.into();
