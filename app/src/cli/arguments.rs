@@ -16,6 +16,7 @@ use super::assignment::Assignment;
 use super::backend::BackendChoice;
 use super::image_size::ImageSize;
 use super::picture_format::{BitDepth, picture_format};
+use super::spectrum::SpectrumArguments;
 
 /// Most threads worth asking for.
 const MAX_THREADS: u64 = 1024;
@@ -39,6 +40,8 @@ pub(super) struct Arguments {
 pub(super) enum Command {
     /// Render a picture to a file; needs no display
     Render(RenderArguments),
+    /// Print the spectrum of a pixel or of a region; needs no display
+    Spectrum(SpectrumArguments),
 }
 
 /// A picture to render.
@@ -169,7 +172,7 @@ impl RenderArguments {
 }
 
 /// A whole number in `allowed`.
-fn within(allowed: RangeInclusive<u32>) -> RangedI64ValueParser<u32> {
+pub(super) fn within(allowed: RangeInclusive<u32>) -> RangedI64ValueParser<u32> {
     value_parser!(u32).range(i64::from(*allowed.start())..=i64::from(*allowed.end()))
 }
 

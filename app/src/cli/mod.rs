@@ -10,6 +10,7 @@ mod picture_format;
 mod progress;
 mod render;
 mod report;
+mod spectrum;
 mod view;
 
 use std::io::Write as _;
@@ -26,6 +27,7 @@ pub fn run() -> ExitCode {
     let result = match arguments.command {
         None => view::view(arguments.file.as_deref(), arguments.backend.into(), started),
         Some(Command::Render(render)) => render::render(&render),
+        Some(Command::Spectrum(spectrum)) => spectrum::spectrum(&spectrum),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -41,8 +41,8 @@ impl SpectrumTab {
         plot::plot_ui(ui, reading, self.kept.as_deref(), self.is_logarithmic);
         caption_ui(
             ui,
-            "Mean spectral radiance; 1 at every wavelength is luminance 1. The curves are the CIE \
-             1931 colour-matching functions, to a scale of their own.",
+            "Mean spectral radiance (1 throughout: luminance 1). Curves: CIE 1931 colour matching, \
+             to their own scale.",
         );
         self.actions_ui(ui, reading, display);
         ui.add_space(6.0);

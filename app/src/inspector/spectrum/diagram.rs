@@ -32,7 +32,7 @@ const RINGS: usize = 14;
 /// Temperatures along the Planckian locus in K, and those that are written.
 const PLANCKIAN_K: [f32; 11] =
     [1500.0, 1750.0, 2000.0, 2500.0, 3000.0, 4000.0, 5000.0, 6500.0, 8000.0, 12_000.0, 20_000.0];
-const LABELLED_K: [f32; 3] = [2000.0, 3000.0, 5000.0];
+const LABELLED_K: [f32; 2] = [3000.0, 5000.0];
 /// Distance in the diagram from which on a move is drawn.
 const VISIBLE_MOVE: f64 = 0.004;
 
@@ -105,7 +105,7 @@ impl Plane {
     fn paint_grid(&self, painter: &Painter, area: Rect) {
         let font = FontId::proportional(10.5);
         let line = Stroke::new(1.0, theme::LINE.gamma_multiply(0.7));
-        for (u, text) in self.u.ticks(7) {
+        for (u, text) in self.u.ticks(8) {
             painter.vline(self.u.at(u), area.y_range(), line);
             let at = pos2(self.u.at(u), area.bottom() + 4.0);
             painter.text(at, Align2::CENTER_TOP, text, font.clone(), theme::TEXT_WEAK);

@@ -15,6 +15,9 @@ use glam::DVec3;
 use super::plot::KEPT;
 use crate::theme;
 
+/// Moves that nobody can see are not worth telling.
+const INVISIBLE_DELTA_E: f64 = 0.1;
+
 /// A reading as a colour.
 pub(super) struct Seen {
     /// The way of the colour to the screen.
@@ -39,7 +42,8 @@ impl Seen {
         if !self.path.is_color() {
             return ("No light: shown as black.".to_owned(), false);
         }
-        let Some(shift) = self.path.gamut_shift() else {
+        let shift = self.path.gamut_shift().filter(|shift| shift.delta_e_2000 > INVISIBLE_DELTA_E);
+        let Some(shift) = shift else {
             return ("Inside the screen\u{2019}s gamut: shown as it is.".to_owned(), false);
         };
         let fault = match shift.fault {
@@ -71,15 +75,13 @@ impl Seen {
         let purity =
             self.dominant.map_or_else(Default::default, |it| format!("{:.0} %", 100.0 * it.purity));
         vec![
-            ("X", significant(xyz.x)),
-            ("Y", significant(xyz.y)),
-            ("Z", significant(xyz.z)),
+            ("X, Y, Z", xyz.to_array().map(significant).join("  ")),
             ("x, y", pair(color::xy(xyz).to_array())),
             ("u', v'", pair(color::uv_prime(xyz).to_array())),
             ("Dominant wavelength", dominant),
             ("Purity", purity),
-            ("Linear RGB wanted", triple(self.path.toned)),
-            ("Linear RGB shown", triple(self.path.shown)),
+            ("RGB wanted", triple(self.path.toned)),
+            ("RGB shown", triple(self.path.shown)),
             ("sRGB code", hex(self.path.srgb8)),
         ]
     }
@@ -144,7 +146,8 @@ pub(super) fn numbers_ui(ui: &mut Ui, seen: &Seen, kept: Option<&Seen>) {
 
 /// The colour's tristimulus values, for a note.
 pub(super) fn xyz_text(xyz: DVec3) -> String {
-    format!("X {} Y {} Z {}", significant(xyz.x), significant(xyz.y), significant(xyz.z))
+    let [x, y, z] = xyz.to_array().map(significant);
+    format!("X {x} Y {y} Z {z}")
 }
 
 fn or_dash(text: &str) -> &str {
