@@ -406,3 +406,35 @@ fn an_interrupt_leaves_no_picture() {
     assert_failed(&output, &["cancelled"]);
     assert_eq!(names(folder.path()), [Path::new("stone.toml")]);
 }
+
+#[test]
+fn the_spectrum_of_a_pixel_is_that_of_the_rendered_film() {
+    let folder = folder_with_scene();
+    let spectrum = |place: &str| {
+        let arguments = format!(
+            "spectrum stone.toml --size 24x16 --passes 2 --backend cpu --set trace.bins=8 {place}"
+        );
+        let arguments: Vec<_> = arguments.split_whitespace().collect();
+        brilliance(folder.path(), &arguments)
+    };
+    let csv = stdout(&spectrum("--pixel 12,8"));
+    let radiances: Vec<f64> = csv
+        .lines()
+        .filter(|line| line.starts_with(char::is_numeric))
+        .map(|line| line.split(',').nth(2).unwrap().parse().unwrap())
+        .collect();
+    assert_eq!(radiances.len(), 8, "{csv}");
+    assert!(radiances.iter().any(|&radiance| radiance > 0.0), "{csv}");
+
+    let json: Value = serde_json::from_str(&stdout(&spectrum("--region 12,8,1,1 --json"))).unwrap();
+    let listed: Vec<f64> =
+        json["radiance"].as_array().unwrap().iter().map(|it| it.as_f64().unwrap()).collect();
+    assert!(listed.iter().zip(&radiances).all(|(a, b)| (a - b).abs() < 1e-6 * b), "{json}");
+    assert_eq!(json["bin_edges_nm"][0], 380.0);
+    assert_eq!(json["srgb8"].as_array().unwrap().len(), 3);
+
+    assert_failed(&spectrum("--pixel 24,8"), &["24,8", "24x16", "outside"]);
+    assert_failed(&spectrum("--region 20,8,5,2"), &["5x2", "outside"]);
+    assert_wrong_usage(&spectrum("--pixel 3"), &["comma"]);
+    assert_wrong_usage(&spectrum(""), &["--pixel"]);
+}

@@ -203,6 +203,7 @@ impl App {
         self.update_scene();
         let document = &self.editor.document;
         self.live.ask(document, &self.scene, self.orbit.camera(), self.viewport_size);
+        self.live.watch(self.inspector.watched());
     }
 
     fn menu_ui(&mut self, ui: &mut Ui) {
@@ -276,7 +277,8 @@ impl eframe::App for App {
         if self.panel_shown {
             self.panel_ui(ui);
         }
-        self.inspector.show(ui);
+        let reading = self.session().reading();
+        self.inspector.show(ui, reading.as_ref(), &self.editor.document.display);
         self.viewport_ui(ui);
         self.overlays_ui(&ctx);
         // After the widgets, which take the keys that are meant for them.

@@ -27,6 +27,7 @@ pub mod question;
 pub(crate) mod ray_words;
 pub mod row;
 pub mod shown;
+pub mod spectrum_csv;
 pub mod status;
 pub mod task;
 pub mod theme;

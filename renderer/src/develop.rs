@@ -12,6 +12,8 @@
 //! Everything that depends on [`DisplaySettings`] or on what is [`Shown`] happens after the second
 //! step, so that a finished film develops again without being traced again.
 
+mod brightest;
+mod color_path;
 mod count_image;
 mod development;
 mod gamut;
@@ -26,6 +28,8 @@ use rayon::prelude::*;
 use crate::color;
 use crate::error::RendererError;
 use crate::settings::DisplaySettings;
+pub use brightest::brightest_srgb8;
+pub use color_path::{ColorPath, GamutFault, GamutShift};
 pub use count_image::CountImage;
 pub use gpu::{Band, GpuCountImage, GpuDeveloper, GpuXyzImage};
 pub use heat::{HeatMap, NOTHING};

@@ -4,6 +4,12 @@ mod counts;
 
 pub use counts::Counts;
 
+mod region;
+
+use rayon::prelude::*;
+
+pub use region::{PixelRect, Region};
+
 use crate::spectrum::Bins;
 
 /// Radiance sums per pixel and spectral bin, and counts per pixel, over a number of passes.
@@ -112,4 +118,46 @@ impl Film {
         let scale = 1.0 / self.passes.max(1) as f32;
         self.sums[start..start + self.bins.count()].iter().map(|sum| sum * scale).collect()
     }
+
+    /// Mean spectral radiance of the pixels of `rect` that lie in the film, one value per bin; 0
+    /// where none does. A sum that is not finite counts as none.
+    pub fn mean_spectrum(&self, rect: PixelRect) -> Vec<f32> {
+        let bins = self.bins.count();
+        let Some(rect) = rect.within(self.size()) else { return vec![0.0; bins] };
+        let rows = rect.min[1] as usize..(rect.min[1] + rect.size[1]) as usize;
+        let rows = rows.into_par_iter().map(|row| {
+            let start = (row * self.width as usize + rect.min[0] as usize) * bins;
+            let pixels = &self.sums[start..start + rect.size[0] as usize * bins];
+            sum_per_bin(pixels, bins)
+        });
+        let rows: Vec<_> = rows.collect();
+        mean_of_sums(rows.iter().flatten().copied(), self.bins, rect.count(), self.passes)
+    }
+}
+
+/// Sums of pixels whose bins lie side by side.
+fn sum_per_bin(pixels: &[f32], bins: usize) -> Vec<f64> {
+    let mut sums = vec![0.0; bins];
+    for pixel in pixels.chunks_exact(bins) {
+        for (sum, &value) in sums.iter_mut().zip(pixel) {
+            *sum += if value.is_finite() { f64::from(value) } else { 0.0 };
+        }
+    }
+    sums
+}
+
+/// The mean of `pixels` pixels after `passes` passes whose sums, the bins side by side, were added
+/// up in parts.
+pub(crate) fn mean_of_sums(
+    parts: impl Iterator<Item = f64>,
+    bins: Bins,
+    pixels: u64,
+    passes: u32,
+) -> Vec<f32> {
+    let mut sums = vec![0.0; bins.count()];
+    for (part, bin) in parts.zip((0..bins.count()).cycle()) {
+        sums[bin] += part;
+    }
+    let scale = 1.0 / (pixels.max(1) as f64 * f64::from(passes.max(1)));
+    sums.into_iter().map(|sum| (sum * scale) as f32).collect()
 }

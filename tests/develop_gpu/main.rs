@@ -11,7 +11,7 @@ use brilliance_renderer::develop::{
     Band, GpuCountImage, GpuDeveloper, GpuXyzImage, HeatMap, XyzImage,
 };
 use brilliance_renderer::error::RendererError;
-use brilliance_renderer::film::Film;
+use brilliance_renderer::film::{Film, PixelRect};
 use brilliance_renderer::gpu::Graphics;
 use brilliance_renderer::settings::{DisplaySettings, ToneCurve, WhitePoint};
 use brilliance_renderer::spectrum::Bins;
@@ -145,6 +145,33 @@ fn a_film_in_bands_is_the_film() {
     for ends in [vec![8], vec![1], vec![height - 1], vec![3, 4, 10], (1..height).collect()] {
         let found = expose(&film, &bands(&film, &ends)).read().unwrap();
         assert_eq!(found.xyz, whole.xyz, "bands that end before rows {ends:?}");
+    }
+}
+
+#[test]
+fn the_mean_spectrum_of_a_region_is_the_processors() {
+    for (bins, passes) in [(4, 1), (16, 3), (64, 1)] {
+        let film = film_of_all_sorts(bins, passes, 600);
+        let [width, height] = film.size();
+        let bands = bands(&film, &[2, height / 2]);
+        for rect in [
+            PixelRect { min: [0, 0], size: [width, height] },
+            PixelRect { min: [3, 1], size: [9, height / 2 + 3] },
+            PixelRect { min: [width - 1, height - 2], size: [1, 1] },
+            PixelRect { min: [2, height / 2], size: [width, 1] },
+            PixelRect { min: [width, height], size: [8, 8] },
+        ] {
+            let found = DEVELOPER
+                .mean_spectrum(film.size(), film.bins(), passes, &bands, rect)
+                .expect("a spectrum");
+            let expected = film.mean_spectrum(rect);
+            // The radiances lie up to 36 orders of magnitude apart, and some are negative.
+            let scale = expected.iter().fold(0.0_f32, |scale, mean| scale.max(mean.abs()));
+            for (found, expected) in found.iter().zip(&expected) {
+                assert!((found - expected).abs() <= 1e-6 * scale, "{rect:?}: {found} {expected}");
+            }
+            assert_eq!(scale > 0.0, rect.within(film.size()).is_some());
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use brilliance_renderer::develop::XyzImage;
-use brilliance_renderer::film::{Counts, Film};
+use brilliance_renderer::film::{Counts, Film, PixelRect};
 use brilliance_renderer::image_file::write_png8;
 use brilliance_renderer::settings::DisplaySettings;
 use brilliance_renderer::statistics::Statistics;
@@ -189,21 +189,37 @@ fn film_in_bands() {
 }
 
 #[test]
-fn a_pixel_is_read_by_itself() {
+fn a_region_is_read_by_itself() {
     let graphics = limited_graphics(|limits| limits.max_storage_buffer_binding_size = 3 << 19);
     let tracer = GpuTracer::new(&graphics).expect("the device can trace");
     let case = cases::banded();
     let (film, _) = trace(&tracer, &case);
     assert_eq!(film.bands().len(), 2);
     let pixels = [[0, 0], [64, 36], [127, 44], [0, 45], [70, 50], [127, 71]];
-    let read = pixels.map(|[x, y]| tracer.read_pixel(&film, x, y).expect("a pixel is read"));
-    for [x, y] in [[128, 0], [0, 72]] {
-        assert_eq!(tracer.read_pixel(&film, x, y).expect("nothing is read"), None);
-    }
+    let regions = [
+        PixelRect { min: [20, 10], size: [70, 30] },
+        PixelRect { min: [50, 40], size: [9, 20] },
+        PixelRect { min: [0, 0], size: [128, 72] },
+        PixelRect { min: [100, 60], size: [500, 500] },
+        PixelRect { min: [128, 0], size: [1, 1] },
+    ];
+    let pixels = pixels.map(|min| PixelRect { min, size: [1, 1] });
+    let rects: Vec<_> = pixels.into_iter().chain(regions).collect();
+    let read = |rect: &PixelRect| tracer.mean_spectrum(&film, *rect).expect("a region is read");
+    let read: Vec<_> = rects.iter().map(read).collect();
     let film = tracer.read(film).expect("the film is read");
-    let expected = pixels.map(|[x, y]| Some(film.pixel(x, y)));
-    assert_eq!(read, expected);
+    for (rect, found) in rects.into_iter().zip(&read) {
+        let expected = film.mean_spectrum(rect);
+        for (found, expected) in found.iter().zip(&expected) {
+            assert!((found - expected).abs() <= 1e-6 * expected, "{rect:?}: {found} {expected}");
+        }
+        if rect.size == [1, 1] && rect.within(film.size()).is_some() {
+            assert_eq!(expected, film.pixel(rect.min[0], rect.min[1]));
+        }
+    }
     assert!(read[1] != read[4], "the pixels differ");
+    assert!(read[8].iter().all(|&mean| mean > 0.0), "the whole film is not dark");
+    assert!(read[10].iter().all(|&mean| mean == 0.0), "there is nothing beside the film");
 }
 
 #[test]

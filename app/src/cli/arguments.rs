@@ -18,6 +18,7 @@ use super::image_size::ImageSize;
 use super::inspect::InspectArguments;
 use super::picture_format::{BitDepth, picture_format};
 use super::shown::ShownChoice;
+use super::spectrum::SpectrumArguments;
 
 /// Most threads worth asking for.
 const MAX_THREADS: u64 = 1024;
@@ -43,6 +44,8 @@ pub(super) enum Command {
     Render(RenderArguments),
     /// Print the tree of rays that one pixel of the picture is made of
     Inspect(InspectArguments),
+    /// Print the spectrum of a pixel or of a region; needs no display
+    Spectrum(SpectrumArguments),
 }
 
 /// A picture to render.
@@ -179,7 +182,7 @@ impl RenderArguments {
 }
 
 /// A whole number in `allowed`.
-fn within(allowed: RangeInclusive<u32>) -> RangedI64ValueParser<u32> {
+pub(super) fn within(allowed: RangeInclusive<u32>) -> RangedI64ValueParser<u32> {
     value_parser!(u32).range(i64::from(*allowed.start())..=i64::from(*allowed.end()))
 }
 

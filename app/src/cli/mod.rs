@@ -13,6 +13,7 @@ mod progress;
 mod render;
 mod report;
 mod shown;
+mod spectrum;
 mod view;
 
 use std::io::Write as _;
@@ -30,6 +31,7 @@ pub fn run() -> ExitCode {
         None => view::view(arguments.file.as_deref(), arguments.backend.into(), started),
         Some(Command::Render(render)) => render::render(&render),
         Some(Command::Inspect(inspect)) => inspect::inspect(&inspect),
+        Some(Command::Spectrum(spectrum)) => spectrum::spectrum(&spectrum),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

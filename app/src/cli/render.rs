@@ -95,7 +95,7 @@ fn trace(
 }
 
 /// The graphics device to trace on, if any.
-fn open_graphics(backend: Backend) -> anyhow::Result<Option<Graphics>> {
+pub(super) fn open_graphics(backend: Backend) -> anyhow::Result<Option<Graphics>> {
     match backend {
         Backend::Cpu => Ok(None),
         Backend::Auto => Ok(Graphics::open(false)
@@ -115,7 +115,7 @@ fn open_graphics(backend: Backend) -> anyhow::Result<Option<Graphics>> {
 }
 
 /// A flag that Ctrl-C sets from now on.
-fn cancelled_by_ctrl_c() -> anyhow::Result<Arc<AtomicBool>> {
+pub(super) fn cancelled_by_ctrl_c() -> anyhow::Result<Arc<AtomicBool>> {
     let cancel = Arc::new(AtomicBool::new(false));
     let flag = Arc::clone(&cancel);
     ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed))?;
@@ -123,7 +123,7 @@ fn cancelled_by_ctrl_c() -> anyhow::Result<Arc<AtomicBool>> {
 }
 
 /// Refuses a film that would not fit into the memory of most machines.
-fn check_film(document: &Document) -> anyhow::Result<()> {
+pub(super) fn check_film(document: &Document) -> anyhow::Result<()> {
     let [width, height] = document.still.size;
     let bins = document.trace.bins;
     let bytes = Film::bytes(document.still.size, bins);

@@ -5,6 +5,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::bell::Bell;
 use super::graphics::GraphicsSlot;
+use super::reading::Watch;
 use super::{Picture, Progress, RenderRequest};
 use crate::develop::{LatentImage, Pixels, Shown};
 use crate::settings::DisplaySettings;
@@ -28,6 +29,9 @@ pub(super) struct Shared<D: Device> {
     /// Serial of the picture developed last; locked before all others, and while one is developed.
     pub(super) last_serial: Mutex<u64>,
     pub(super) progress: Mutex<Progress>,
+    pub(super) watch: Mutex<Watch>,
+    /// Says that another region is watched than the render thread knows of.
+    pub(super) to_read: Bell,
     on_update: Box<dyn Fn() + Send + Sync>,
 }
 
@@ -50,6 +54,8 @@ impl<D: Device> Shared<D> {
             picture: Mutex::new(None),
             last_serial: Mutex::new(0),
             progress: Mutex::new(Progress::default()),
+            watch: Mutex::new(Watch::default()),
+            to_read: Bell::new(),
             on_update: Box::new(on_update),
         }
     }

@@ -66,6 +66,9 @@ pub(crate) const WALKERS: &[ShaderModule] = modules!["walkers"];
 /// From the film to CIE XYZ and mean counts.
 pub(crate) const EXPOSE: &[ShaderModule] = modules!["finite", "expose"];
 
+/// From the film to the sums of a region.
+pub(crate) const REGION: &[ShaderModule] = modules!["finite", "region"];
+
 /// From CIE XYZ to sRGB codes.
 pub(crate) const DEVELOP: &[ShaderModule] =
     modules!["finite", "tone_curve", "gamut", "srgb8", "development"];

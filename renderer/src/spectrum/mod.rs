@@ -5,12 +5,14 @@ mod bins;
 mod black_body;
 mod curve;
 mod illuminant;
+mod locus;
 mod observer;
 mod polyline;
 mod rgb;
 
 pub use bins::Bins;
 pub use illuminant::Illuminant;
+pub use locus::DominantWavelength;
 pub use observer::Observer;
 
 use serde::{Deserialize, Serialize};

@@ -6,7 +6,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use super::{Tracer, TracerName, View, rules};
 use crate::develop::{CountImage, LatentImage, XyzImage};
 use crate::error::RendererError;
-use crate::film::{Counts, Film};
+use crate::film::{Counts, Film, PixelRect};
 use crate::kernel::camera::{camera_ray, pixel_seed};
 use crate::kernel::trace::trace;
 use crate::kernel::walk::{RayStack, Tally, Walk};
@@ -135,6 +135,14 @@ impl Tracer for CpuTracer {
     fn expose(&self, film: &Film) -> Result<LatentImage, RendererError> {
         let (light, counts) = (XyzImage::from_film(film), CountImage::from_film(film));
         Ok(LatentImage::Memory { light, counts })
+    }
+
+    fn mean_spectrum(&self, film: &Film, rect: PixelRect) -> Result<Vec<f32>, RendererError> {
+        Ok(self.pool.install(|| film.mean_spectrum(rect)))
+    }
+
+    fn copy(&self, film: &Film) -> Option<Film> {
+        Some(film.clone())
     }
 
     fn read(&self, film: Film) -> Result<Film, RendererError> {

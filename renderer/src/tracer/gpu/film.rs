@@ -109,29 +109,6 @@ impl GpuFilm {
         }
         Ok(Film::from_sums(self.size, self.bins, (sums, counts), self.passes))
     }
-
-    /// Mean spectral radiance of the pixel at column `x`, row `y`, one value per bin; None outside
-    /// of the film.
-    ///
-    /// # Errors
-    /// The device fails.
-    pub(super) fn read_pixel(
-        &self,
-        graphics: &Graphics,
-        x: u32,
-        y: u32,
-    ) -> Result<Option<Vec<f32>>, RendererError> {
-        let holds_row = |band: &&Band| (band.first_row..band.first_row + band.rows).contains(&y);
-        let Some(band) = self.bands.iter().find(holds_row).filter(|_| x < self.size[0]) else {
-            return Ok(None);
-        };
-        let pixel = u64::from(y - band.first_row) * u64::from(self.size[0]) + u64::from(x);
-        let mut sums = vec![0.0_f32; self.bins.count()];
-        let bytes = bytemuck::cast_slice_mut(&mut sums);
-        graphics.fetch(&band.buffer, pixel * bytes.len() as u64, bytes)?;
-        let scale = 1.0 / self.passes.max(1) as f32;
-        Ok(Some(sums.into_iter().map(|sum| sum * scale).collect()))
-    }
 }
 
 fn create(graphics: &Graphics, bytes: u64) -> Result<wgpu::Buffer, RendererError> {
