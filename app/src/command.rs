@@ -38,6 +38,8 @@ pub enum Command {
     TraceWith(Backend),
     /// Gives a graphics device that has failed another chance.
     RetryGraphics,
+    /// Shows or hides the line drawing of the stone.
+    ToggleDrawing,
     /// Shows or hides the panel.
     TogglePanel,
     /// Lists the mouse buttons and keys.
@@ -68,7 +70,7 @@ const SHORTCUTS: [(Command, KeyboardShortcut); 8] = [
 ];
 
 /// Plain keys, for when no text is typed.
-const VIEW_KEYS: [(Key, Command); 10] = [
+const VIEW_KEYS: [(Key, Command); 11] = [
     (Key::Num1, Command::Look(StandardView::FaceUp)),
     (Key::F, Command::Look(StandardView::FaceUp)),
     (Key::Num3, Command::Look(StandardView::Side)),
@@ -76,6 +78,7 @@ const VIEW_KEYS: [(Key, Command); 10] = [
     (Key::Num7, Command::Look(StandardView::Pavilion)),
     (Key::P, Command::Look(StandardView::Pavilion)),
     (Key::R, Command::ResetCamera),
+    (Key::L, Command::ToggleDrawing),
     (Key::F1, Command::ShowKeys),
     (Key::F9, Command::TogglePanel),
     (Key::Escape, Command::Dismiss),

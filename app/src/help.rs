@@ -13,7 +13,7 @@ pub enum Help {
     About,
 }
 
-const KEYS: [(&str, &str); 15] = [
+const KEYS: [(&str, &str); 16] = [
     ("Drag", "turn the stone"),
     ("Middle drag, Shift + drag", "move it"),
     ("Wheel, pinch", "come nearer to what is under the cursor"),
@@ -21,12 +21,13 @@ const KEYS: [(&str, &str); 15] = [
     ("1 or F", "face-up"),
     ("3 or S", "side"),
     ("7 or P", "pavilion-up"),
+    ("L", "the line drawing with names and angles"),
     ("Arrow keys, + and \u{2212}", "turn and zoom"),
     ("Double click on a slider", "back to its default"),
     ("Ctrl + O, Ctrl + S", "open, save"),
     ("Ctrl + E", "export a still"),
     ("Ctrl + Z, Ctrl + Shift + Z", "undo, redo"),
-    ("Escape", "close the export window, then messages"),
+    ("Escape", "close the export window, the drawing, then messages"),
     ("F9", "show or hide the panel"),
     ("Ctrl + Q", "quit"),
 ];

@@ -67,6 +67,8 @@ fn view_ui(ui: &mut Ui, panel_shown: bool, tracers: &Tracers, chosen: &mut Optio
     entry(ui, true, "Pavilion-up", Command::Look(StandardView::Pavilion), chosen);
     entry(ui, true, "Reset camera", Command::ResetCamera, chosen);
     ui.separator();
+    entry(ui, true, "Line drawing", Command::ToggleDrawing, chosen);
+    ui.separator();
     ui.menu_button("Trace with", |ui| tracers::menu_ui(ui, tracers, chosen));
     ui.separator();
     let panel = if panel_shown { "Hide panel" } else { "Show panel" };

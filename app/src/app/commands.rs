@@ -29,10 +29,11 @@ impl App {
             Command::Zoom(factor) => self.orbit.zoom(factor, [0.0, 0.0], &self.bounds),
             Command::TraceWith(backend) => self.live.set_backend(backend),
             Command::RetryGraphics => self.retry_graphics(),
+            Command::ToggleDrawing => self.facets.toggle(),
             Command::TogglePanel => self.panel_shown = !self.panel_shown,
             Command::ShowKeys => self.help = Some(Help::Keys),
             Command::Dismiss => {
-                if !self.export.close() {
+                if !self.export.close() && !self.facets.close() {
                     self.notices.dismiss();
                 }
             }

@@ -1,10 +1,11 @@
-//! The command line: opens the window, or renders without one.
+//! The command line: opens the window, or renders or draws without one.
 //!
 //! Exit codes: 0 done, 1 failed (one line on the standard error says why), 2 wrong usage.
 
 mod arguments;
 mod assignment;
 mod backend;
+mod draw;
 mod image_size;
 mod picture_format;
 mod progress;
@@ -26,6 +27,7 @@ pub fn run() -> ExitCode {
     let result = match arguments.command {
         None => view::view(arguments.file.as_deref(), arguments.backend.into(), started),
         Some(Command::Render(render)) => render::render(&render),
+        Some(Command::Draw(draw)) => draw::draw(&draw),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
