@@ -65,6 +65,19 @@ fn a_stone_becomes_an_svg_and_a_png() {
 }
 
 #[test]
+fn the_prism_diagram_needs_no_scene() {
+    let folder = folder();
+    for case in ["clumping", "crossing"] {
+        let output = draw(folder.path(), &format!("--prism {case} -o {case}.svg"));
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        let svg = std::fs::read_to_string(folder.path().join(format!("{case}.svg"))).unwrap();
+        assert!(svg.contains("perturb off") && svg.contains("perturb on"));
+    }
+    let both = draw(folder.path(), "stone.toml --prism crossing -o drawing.svg");
+    assert_refused(&both, 2, &["cannot be used with"]);
+}
+
+#[test]
 fn an_object_is_chosen_by_name_or_number() {
     let folder = folder();
     let scene = Document::open(&folder.path().join("seven.toml")).unwrap().scene;
@@ -91,6 +104,7 @@ fn wrong_usage_is_told_before_anything_is_done() {
         ("stone.toml -o drawing.png --size 0x5", &["width"]),
         ("stone.toml -o drawing.png --size 5x5 --dpi 50", &["cannot be used with"]),
         ("stone.toml", &["--output"]),
+        ("-o drawing.svg", &["SCENE"]),
     ] {
         assert_refused(&draw(folder.path(), arguments), 2, words);
     }

@@ -17,13 +17,14 @@ use eframe::egui::{self, CentralPanel, Color32, Ui, ViewportCommand};
 
 use crate::bounds::Bounds;
 use crate::command::{self, Command};
-use crate::drawing::{FacetWindow, SheetFiles};
+use crate::drawing::{FacetWindow, PrismWindow, SheetFiles};
 use crate::editor::Editor;
 use crate::export::{ExportWindow, RenderStill, render_and_write};
 use crate::first_picture::FirstPicture;
 use crate::help::Help;
+use crate::inspector::Inspector;
 use crate::live::Live;
-use crate::menu;
+use crate::menu::{self, Shown};
 use crate::notice::Notices;
 use crate::opening::Opening;
 use crate::orbit::Orbit;
@@ -67,11 +68,13 @@ pub struct App {
     viewport_focused: bool,
     panel: PanelState,
     panel_shown: bool,
+    inspector: Inspector,
     notices: Notices,
     files: Files,
     paths: PathDialog,
     export: ExportWindow,
     facets: FacetWindow,
+    prism: PrismWindow,
     sheets: SheetFiles,
     help: Option<Help>,
     title: String,
@@ -104,12 +107,14 @@ impl App {
             viewport_focused: false,
             panel: PanelState::default(),
             panel_shown: true,
+            inspector: Inspector::default(),
             notices,
             files,
             first_picture: FirstPicture::new(services.started),
             paths: PathDialog::new(services.ask_path),
             export: ExportWindow::new(services.render_still),
             facets: FacetWindow::default(),
+            prism: PrismWindow::default(),
             sheets: SheetFiles::default(),
             help: None,
             title: String::new(),
@@ -163,6 +168,11 @@ impl App {
         self.facets.sheet()
     }
 
+    /// The diagram of how rays are divided, while it is shown.
+    pub fn prism_diagram(&self) -> Option<&Sheet> {
+        self.prism.sheet()
+    }
+
     /// True while the question about unsaved changes is open.
     pub fn asks_about_changes(&self) -> bool {
         self.files.is_asking()
@@ -171,6 +181,16 @@ impl App {
     /// The title of the window.
     pub fn title(&self) -> &str {
         &self.title
+    }
+
+    /// What is picked in the picture.
+    pub fn inspector(&self) -> &Inspector {
+        &self.inspector
+    }
+
+    /// Which of the panels are open.
+    fn shown(&self) -> Shown {
+        Shown { panel: self.panel_shown, inspector: self.inspector.is_shown() }
     }
 
     /// The document as it would be saved: with the camera as it is now.
@@ -184,6 +204,7 @@ impl App {
     fn replace(&mut self, editor: Editor) {
         self.editor = editor;
         self.panel = PanelState::default();
+        self.inspector.clear();
         self.update_scene();
         self.orbit = Orbit::from_camera(&self.scene.camera);
     }
@@ -209,7 +230,7 @@ impl App {
 
     fn menu_ui(&mut self, ui: &mut Ui) {
         let tracers = self.tracers();
-        if let Some(command) = menu::show(ui, &self.editor, self.panel_shown, &tracers) {
+        if let Some(command) = menu::show(ui, &self.editor, self.shown(), &tracers) {
             self.run(command, ui.ctx());
         }
     }
@@ -225,13 +246,20 @@ impl App {
     fn viewport_ui(&mut self, ui: &mut Ui) {
         let (picture, progress) = (self.session().picture(), self.session().progress());
         let shown = CentralPanel::no_frame().show(ui, |ui| {
-            viewport::show(ui, picture.as_ref(), &progress, &mut self.orbit, &self.bounds)
+            let picks = self.inspector.is_shown();
+            viewport::show(ui, picture.as_ref(), &progress, &mut self.orbit, &self.bounds, picks)
         });
         if picture.is_some() {
             self.first_picture.painted(ui.ctx());
         }
         self.viewport_size = shown.inner.size;
         self.viewport_focused = shown.inner.response.has_focus();
+        let camera = self.orbit.camera();
+        if let Some(pixels) = shown.inner.picked {
+            self.inspector.set_pick(pixels, self.viewport_size, camera);
+        }
+        let room = shown.inner.response.rect;
+        self.inspector.overlay(&ui.painter_at(room), room, self.viewport_size, &camera);
         if shown.inner.reset {
             self.run(Command::ResetCamera, ui.ctx());
         }
@@ -264,6 +292,7 @@ impl eframe::App for App {
         if self.panel_shown {
             self.panel_ui(ui);
         }
+        self.inspector.show(ui);
         self.viewport_ui(ui);
         self.overlays_ui(&ctx);
         // After the widgets, which take the keys that are meant for them.
@@ -275,6 +304,8 @@ impl eframe::App for App {
         let (now, pointer_down) = ctx.input(|input| (input.time, input.pointer.any_down()));
         self.editor.record(now, pointer_down);
         self.update_request();
+        let trace = &self.editor.document.trace;
+        self.inspector.follow_rays(&self.scene, trace, self.live.waker());
         self.update_title(&ctx);
     }
 

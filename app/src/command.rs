@@ -40,6 +40,10 @@ pub enum Command {
     RetryGraphics,
     /// Shows or hides the line drawing of the stone.
     ToggleDrawing,
+    /// Shows or hides the diagram of how rays are divided.
+    TogglePrism,
+    /// Shows or hides the inspector.
+    ToggleInspector,
     /// Shows or hides the panel.
     TogglePanel,
     /// Lists the mouse buttons and keys.
@@ -70,7 +74,7 @@ const SHORTCUTS: [(Command, KeyboardShortcut); 8] = [
 ];
 
 /// Plain keys, for when no text is typed.
-const VIEW_KEYS: [(Key, Command); 11] = [
+const VIEW_KEYS: [(Key, Command); 12] = [
     (Key::Num1, Command::Look(StandardView::FaceUp)),
     (Key::F, Command::Look(StandardView::FaceUp)),
     (Key::Num3, Command::Look(StandardView::Side)),
@@ -79,6 +83,7 @@ const VIEW_KEYS: [(Key, Command); 11] = [
     (Key::P, Command::Look(StandardView::Pavilion)),
     (Key::R, Command::ResetCamera),
     (Key::L, Command::ToggleDrawing),
+    (Key::I, Command::ToggleInspector),
     (Key::F1, Command::ShowKeys),
     (Key::F9, Command::TogglePanel),
     (Key::Escape, Command::Dismiss),

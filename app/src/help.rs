@@ -13,7 +13,7 @@ pub enum Help {
     About,
 }
 
-const KEYS: [(&str, &str); 16] = [
+const KEYS: [(&str, &str); 18] = [
     ("Drag", "turn the stone"),
     ("Middle drag, Shift + drag", "move it"),
     ("Wheel, pinch", "come nearer to what is under the cursor"),
@@ -22,6 +22,8 @@ const KEYS: [(&str, &str); 16] = [
     ("3 or S", "side"),
     ("7 or P", "pavilion-up"),
     ("L", "the line drawing with names and angles"),
+    ("I", "show or hide the inspector"),
+    ("Click, Ctrl + drag", "pick a pixel or a region for the inspector"),
     ("Arrow keys, + and \u{2212}", "turn and zoom"),
     ("Double click on a slider", "back to its default"),
     ("Ctrl + O, Ctrl + S", "open, save"),

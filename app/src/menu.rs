@@ -9,17 +9,27 @@ use crate::orbit::StandardView;
 use crate::theme;
 use crate::tracers::{self, Tracers};
 
+/// Which of the panels are open.
+#[derive(Clone, Copy, Debug)]
+pub struct Shown {
+    /// The panel that edits, at the right edge.
+    pub panel: bool,
+    /// The inspector, at the left edge.
+    pub inspector: bool,
+}
+
 /// Shows the bar at the top edge; gives what was chosen.
-pub fn show(ui: &mut Ui, editor: &Editor, panel_shown: bool, tracers: &Tracers) -> Option<Command> {
+pub fn show(ui: &mut Ui, editor: &Editor, shown: Shown, tracers: &Tracers) -> Option<Command> {
     let frame = Frame::new().fill(theme::PANEL).inner_margin(Margin::symmetric(8, 3));
     let bar = Panel::top("menu").frame(frame).show(ui, |ui| {
         let mut chosen = None;
         MenuBar::new().ui(ui, |ui| {
             ui.menu_button("File", |ui| file_ui(ui, &mut chosen));
             ui.menu_button("Edit", |ui| edit_ui(ui, editor, &mut chosen));
-            ui.menu_button("View", |ui| view_ui(ui, panel_shown, tracers, &mut chosen));
+            ui.menu_button("View", |ui| view_ui(ui, shown, tracers, &mut chosen));
             ui.menu_button("Help", |ui| {
                 entry(ui, true, "Mouse and keys", Command::ShowKeys, &mut chosen);
+                entry(ui, true, "How rays are divided", Command::TogglePrism, &mut chosen);
                 entry(ui, true, "About Brilliance", Command::ShowAbout, &mut chosen);
             });
             ui.add_space(12.0);
@@ -61,7 +71,7 @@ fn edit_ui(ui: &mut Ui, editor: &Editor, chosen: &mut Option<Command>) {
     entry(ui, editor.edited(), "Reset all changes", Command::Reset, chosen);
 }
 
-fn view_ui(ui: &mut Ui, panel_shown: bool, tracers: &Tracers, chosen: &mut Option<Command>) {
+fn view_ui(ui: &mut Ui, shown: Shown, tracers: &Tracers, chosen: &mut Option<Command>) {
     entry(ui, true, "Face-up", Command::Look(StandardView::FaceUp), chosen);
     entry(ui, true, "Side", Command::Look(StandardView::Side), chosen);
     entry(ui, true, "Pavilion-up", Command::Look(StandardView::Pavilion), chosen);
@@ -71,7 +81,9 @@ fn view_ui(ui: &mut Ui, panel_shown: bool, tracers: &Tracers, chosen: &mut Optio
     ui.separator();
     ui.menu_button("Trace with", |ui| tracers::menu_ui(ui, tracers, chosen));
     ui.separator();
-    let panel = if panel_shown { "Hide panel" } else { "Show panel" };
+    let inspector = if shown.inspector { "Hide inspector" } else { "Show inspector" };
+    entry(ui, true, inspector, Command::ToggleInspector, chosen);
+    let panel = if shown.panel { "Hide panel" } else { "Show panel" };
     entry(ui, true, panel, Command::TogglePanel, chosen);
 }
 

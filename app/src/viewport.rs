@@ -10,6 +10,7 @@ use eframe::egui::{
 };
 
 use crate::bounds::Bounds;
+use crate::inspector::PixelRect;
 use crate::orbit::Orbit;
 use crate::picture_painter::paint_picture;
 use crate::theme;
@@ -24,19 +25,23 @@ const POINTS_PER_DOUBLING: f32 = 400.0;
 pub struct ViewportResponse {
     /// Size in physical pixels: the size the picture should have.
     pub size: [u32; 2],
-    /// The stone was double-clicked: the camera goes back to where the scene put it.
+    /// The stone was double-clicked, where clicks do not pick: the camera goes back to where the scene put it.
     pub reset: bool,
+    /// Pixels that were clicked on or dragged over, where that picks.
+    pub picked: Option<PixelRect>,
     /// The widget, for focus.
     pub response: Response,
 }
 
-/// Shows `picture` in all of the room that is left and moves the camera by the mouse.
+/// Shows `picture` in all of the room that is left and moves the camera by the mouse. With `picks`
+/// a click picks a pixel and a drag with the command key a region.
 pub fn show(
     ui: &mut Ui,
     picture: Option<&Arc<Picture>>,
     progress: &Progress,
     orbit: &mut Orbit,
     bounds: &Bounds,
+    picks: bool,
 ) -> ViewportResponse {
     let pixels_per_point = ui.pixels_per_point();
     let room = ui.available_rect_before_wrap();
@@ -57,8 +62,25 @@ pub fn show(
     if let Some(error) = &progress.error {
         banner_ui(ui, room, error);
     }
-    steer(ui, &response, orbit, bounds);
-    ViewportResponse { size, reset: response.double_clicked(), response }
+    let picked = if picks { picked(ui, &response, size) } else { None };
+    if picked.is_none() {
+        steer(ui, &response, orbit, bounds);
+    }
+    ViewportResponse { size, reset: response.double_clicked() && !picks, picked, response }
+}
+
+/// The pixels that are clicked on, or being dragged over with the command key.
+fn picked(ui: &Ui, response: &Response, size: [u32; 2]) -> Option<PixelRect> {
+    let at = response.interact_pointer_pos()?;
+    let corners = if response.clicked_by(PointerButton::Primary) {
+        [at, at]
+    } else {
+        let (command, origin) =
+            ui.input(|input| (input.modifiers.command, input.pointer.press_origin()));
+        let drags = command && response.dragged_by(PointerButton::Primary);
+        [origin.filter(|_| drags)?, at]
+    };
+    Some(PixelRect::between(corners, response.rect, size))
 }
 
 fn paint(

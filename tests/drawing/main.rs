@@ -6,3 +6,4 @@ mod edges;
 mod facets;
 mod files;
 mod layout;
+mod prism;

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::f32::consts::{FRAC_1_PI, TAU};
 
 use brilliance_renderer::kernel::mesh::Sides;
+use brilliance_renderer::kernel::walk::Fate;
 use brilliance_renderer::kernel::{interface, intersect, mesh, ray, rng, spread, walk};
 use brilliance_renderer::packed;
 use brilliance_renderer::shaders::join;
@@ -48,6 +49,10 @@ fn rust_constants() -> Vec<(&'static str, Constant)> {
         ("TOP_STACK", U32(intersect::TOP_STACK as u32)),
         ("NUDGE", F32(intersect::NUDGE)),
         ("STACK_LEN", U32(walk::STACK_LEN as u32)),
+        ("FATE_KEPT", U32(Fate::Kept as u32)),
+        ("FATE_TOO_WEAK", U32(Fate::TooWeak as u32)),
+        ("FATE_TOO_DEEP", U32(Fate::TooDeep as u32)),
+        ("FATE_TOO_MANY", U32(Fate::TooMany as u32)),
     ]
 }
 

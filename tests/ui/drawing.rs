@@ -30,6 +30,27 @@ fn the_drawing_shows_the_stone_as_it_is_edited() {
 }
 
 #[test]
+fn the_prism_diagram_follows_its_sliders() {
+    let mut harness = harness();
+    harness.get_by_label("Help").click();
+    harness.run_steps(3);
+    harness.get_by_label("How rays are divided").click();
+    harness.run_steps(4);
+    let words = |harness: &AppHarness| -> String {
+        let sheet = harness.state().prism_diagram().expect("a diagram");
+        sheet.words().map(|words| words.text.clone() + "\n").collect()
+    };
+    assert!(words(&harness).contains("perturb off") && words(&harness).contains("perturb on"));
+    set(&mut harness, "Apex", 30.0);
+    assert!(words(&harness).contains("Apex 30°"));
+    choose(&mut harness, "Perturb", "On");
+    assert!(!words(&harness).contains("perturb off") && words(&harness).contains("perturb on"));
+    harness.key_press(Key::Escape);
+    harness.run_steps(2);
+    assert!(harness.state().prism_diagram().is_none());
+}
+
+#[test]
 fn a_stone_that_can_not_be_cut_says_so_in_its_place() {
     let mut harness = harness();
     harness.key_press(Key::L);

@@ -4,6 +4,8 @@ mod drawing;
 mod export;
 mod files;
 mod graphics;
+mod inspector;
+mod inspector_rays;
 mod panel;
 mod picture;
 mod window;

@@ -86,10 +86,18 @@ pub(crate) fn choose(harness: &mut AppHarness, label: &str, item: &str) {
     harness.run_steps(3);
 }
 
-/// Two clicks at one place; each event is a frame of its own.
+pub(crate) fn click(harness: &mut AppHarness, at: Pos2) {
+    clicks(harness, at, 1);
+}
+
 pub(crate) fn double_click(harness: &mut AppHarness, at: Pos2) {
+    clicks(harness, at, 2);
+}
+
+/// Clicks at one place; each event is a frame of its own.
+fn clicks(harness: &mut AppHarness, at: Pos2, count: u32) {
     harness.hover_at(at);
-    for _ in 0..2 {
+    for _ in 0..count {
         for pressed in [true, false] {
             harness.event(Event::PointerButton {
                 pos: at,

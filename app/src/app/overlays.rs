@@ -26,7 +26,8 @@ impl App {
             None => {}
         }
         let object = self.editor.document.scene.objects.get(self.panel.object());
-        if let Some(order) = self.facets.show(ctx, object) {
+        let of_prism = self.prism.show(ctx);
+        if let Some(order) = self.facets.show(ctx, object).or(of_prism) {
             self.ask_save_sheet(order);
         }
         if let Some(page) = self.help

@@ -16,6 +16,7 @@ use super::assignment::Assignment;
 use super::backend::BackendChoice;
 use super::draw::DrawArguments;
 use super::image_size::ImageSize;
+use super::inspect::InspectArguments;
 use super::picture_format::{BitDepth, picture_format};
 
 /// Most threads worth asking for.
@@ -40,8 +41,10 @@ pub(super) struct Arguments {
 pub(super) enum Command {
     /// Render a picture to a file; needs no display
     Render(RenderArguments),
-    /// Draw a stone face-up, from the side and from the pavilion, its facets with name and angle
+    /// Draw a stone in lines, from above, the side and below, its facets with name and angle
     Draw(DrawArguments),
+    /// Print the tree of rays that one pixel of the picture is made of
+    Inspect(InspectArguments),
 }
 
 /// A picture to render.
@@ -103,7 +106,7 @@ impl Arguments {
         let (name, checked) = match &arguments.command {
             Some(Command::Render(render)) => ("render", render.check()),
             Some(Command::Draw(draw)) => ("draw", draw.check()),
-            None => return arguments,
+            Some(Command::Inspect(_)) | None => return arguments,
         };
         if let Err(fault) = checked {
             let mut command = Self::command();

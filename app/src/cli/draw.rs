@@ -4,12 +4,14 @@ use std::io::Write as _;
 use std::path::PathBuf;
 
 use anyhow::{anyhow, bail};
-use brilliance_renderer::drawing::{Sheet, SheetFormat, facet_diagram};
+use brilliance_renderer::drawing::{
+    PerturbShown, PrismSetup, Sheet, SheetFormat, facet_diagram, prism_diagram,
+};
 use brilliance_renderer::material::Material;
 use brilliance_renderer::scene::Object;
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::whole_file;
-use clap::{Args, value_parser};
+use clap::{Args, ValueEnum, value_parser};
 
 use super::arguments::same_file;
 use super::image_size::ImageSize;
@@ -18,7 +20,8 @@ use super::image_size::ImageSize;
 #[derive(Args, Debug)]
 pub(super) struct DrawArguments {
     /// Scene (.toml), mesh (.gltf, .glb) or still (.png, .exr) with the stone
-    scene: PathBuf,
+    #[arg(required_unless_present = "prism")]
+    scene: Option<PathBuf>,
 
     /// Drawing to write: .svg or .png
     #[arg(short, long, value_name = "OUT")]
@@ -27,6 +30,10 @@ pub(super) struct DrawArguments {
     /// Which object of the scene, by its name or its number from 1 [default: the first clear one]
     #[arg(long, value_name = "NAME")]
     object: Option<String>,
+
+    /// Draw instead how a prism divides rays, with values for which wrongly divided ones do this
+    #[arg(long, value_enum, value_name = "CASE", conflicts_with_all = ["scene", "object"])]
+    prism: Option<PrismCase>,
 
     /// Width and height of a PNG in pixels [default: A4 at 200 dots per inch]
     #[arg(long, value_name = "WxH", conflicts_with = "dpi")]
@@ -37,6 +44,15 @@ pub(super) struct DrawArguments {
     dpi: Option<u32>,
 }
 
+/// What rays do that are divided without `perturb`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum PrismCase {
+    /// They leave in clumps.
+    Clumping,
+    /// They cross.
+    Crossing,
+}
+
 impl DrawArguments {
     /// What clap can't see: options that contradict each other.
     pub(super) fn check(&self) -> Result<(), String> {
@@ -44,7 +60,7 @@ impl DrawArguments {
         if format == SheetFormat::Svg && (self.size.is_some() || self.dpi.is_some()) {
             return Err("an SVG has no pixels; --size and --dpi are for a .png".into());
         }
-        if same_file(&self.output, &self.scene) {
+        if self.scene.as_ref().is_some_and(|scene| same_file(&self.output, scene)) {
             return Err(format!(
                 "-o {} would overwrite the scene; give the drawing another name",
                 self.output.display()
@@ -57,14 +73,25 @@ impl DrawArguments {
 /// Draws, writes and says what was drawn.
 pub(super) fn draw(arguments: &DrawArguments) -> anyhow::Result<()> {
     whole_file::check(&arguments.output)?;
-    let document = Document::open(&arguments.scene)?;
-    let object = chosen(&document.scene.objects, arguments.object.as_deref())?;
-    let sheet = facet_diagram(object)?;
+    let sheet = sheet(arguments)?;
     let dpi = arguments.dpi.map_or(Sheet::DPI, f64::from);
     let size = arguments.size.map_or_else(|| sheet.size_at(dpi), |size| size.0);
     sheet.save(&arguments.output, size)?;
     writeln!(std::io::stdout(), "{}: {}", arguments.output.display(), sheet.title)?;
     Ok(())
+}
+
+fn sheet(arguments: &DrawArguments) -> anyhow::Result<Sheet> {
+    let setup = match (&arguments.scene, arguments.prism) {
+        (Some(scene), _) => {
+            let document = Document::open(scene)?;
+            let object = chosen(&document.scene.objects, arguments.object.as_deref())?;
+            return Ok(facet_diagram(object)?);
+        }
+        (None, Some(PrismCase::Crossing)) => PrismSetup::CROSSING,
+        (None, Some(PrismCase::Clumping) | None) => PrismSetup::CLUMPING,
+    };
+    Ok(prism_diagram(&setup, PerturbShown::Both)?)
 }
 
 /// The object of this name or number, or the first clear one, or the first.

@@ -1,4 +1,4 @@
-//! The command line: opens the window, or renders or draws without one.
+//! The command line: opens the window, or works without one.
 //!
 //! Exit codes: 0 done, 1 failed (one line on the standard error says why), 2 wrong usage.
 
@@ -7,7 +7,9 @@ mod assignment;
 mod backend;
 mod draw;
 mod image_size;
+mod inspect;
 mod picture_format;
+mod pixel;
 mod progress;
 mod render;
 mod report;
@@ -28,6 +30,7 @@ pub fn run() -> ExitCode {
         None => view::view(arguments.file.as_deref(), arguments.backend.into(), started),
         Some(Command::Render(render)) => render::render(&render),
         Some(Command::Draw(draw)) => draw::draw(&draw),
+        Some(Command::Inspect(inspect)) => inspect::inspect(&inspect),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -67,8 +67,9 @@ fn paint_words(painter: &Painter, words: &Words, at: Pos2, points_per_mm: f32) {
 fn color(ink: Ink) -> Color32 {
     match ink {
         Ink::Main => theme::TEXT_STRONG,
-        Ink::Fine => theme::TEXT_WEAK,
-        Ink::Tint => theme::PANEL,
+        Ink::Fine | Ink::Pale => theme::TEXT_WEAK,
+        Ink::Tint => theme::RAISED,
+        Ink::Dark => Color32::BLACK,
         Ink::Light([red, green, blue]) => Color32::from_rgb(red, green, blue),
     }
 }

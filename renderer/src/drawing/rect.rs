@@ -57,17 +57,22 @@ impl Rect {
         self.min.cmplt(other.max).all() && self.max.cmpgt(other.min).all()
     }
 
-    /// True if the line from `a` to `b` passes through the inside.
+    /// True if the line passes through the inside.
+    pub fn is_crossed_by(&self, ends: [DVec2; 2]) -> bool {
+        self.clipped(ends).is_some()
+    }
+
+    /// The part of the line that passes through the inside, if any does.
     ///
     /// Y.-D. Liang and B. A. Barsky, "A New Concept and Method for Line Clipping", ACM TOG 3(1),
     /// 1984.
-    pub fn is_crossed_by(&self, [a, b]: [DVec2; 2]) -> bool {
+    pub fn clipped(&self, [a, b]: [DVec2; 2]) -> Option<[DVec2; 2]> {
         let along = b - a;
         let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
         for axis in 0..2 {
             if along[axis] == 0.0 {
                 if a[axis] <= self.min[axis] || a[axis] >= self.max[axis] {
-                    return false;
+                    return None;
                 }
             } else {
                 let (t, u) = (
@@ -78,7 +83,7 @@ impl Rect {
                 leaves = leaves.min(t.max(u));
             }
         }
-        enters < leaves
+        (enters < leaves).then_some([a.lerp(b, enters), a.lerp(b, leaves)])
     }
 }
 

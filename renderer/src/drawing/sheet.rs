@@ -85,6 +85,10 @@ pub enum Ink {
     Fine,
     /// Areas to be told from the paper.
     Tint,
+    /// Areas without light, on which light is drawn.
+    Dark,
+    /// Lines on such areas.
+    Pale,
     /// Light of this colour, as sRGB codes.
     Light([u8; 3]),
 }
@@ -95,7 +99,9 @@ impl Ink {
         match self {
             Self::Main => [20, 22, 26],
             Self::Fine => [104, 110, 120],
-            Self::Tint => [240, 242, 245],
+            Self::Tint => [236, 239, 244],
+            Self::Dark => [16, 17, 20],
+            Self::Pale => [150, 156, 166],
             Self::Light(codes) => codes,
         }
     }

@@ -16,6 +16,7 @@ use std::fmt::Write as _;
 pub use frame::Frame;
 
 use crate::kernel::mesh::Sides;
+use crate::kernel::walk::Fate;
 use crate::kernel::{interface, intersect, mesh, ray, rng, spread, walk};
 use crate::packed;
 use crate::spectrum::{LAMBDA_MAX_NM, LAMBDA_MIN_NM};
@@ -130,5 +131,9 @@ fn kernel_constants() -> String {
         ("TOP_STACK", U32(intersect::TOP_STACK as u32)),
         ("NUDGE", F32(intersect::NUDGE)),
         ("STACK_LEN", U32(walk::STACK_LEN as u32)),
+        ("FATE_KEPT", U32(Fate::Kept as u32)),
+        ("FATE_TOO_WEAK", U32(Fate::TooWeak as u32)),
+        ("FATE_TOO_DEEP", U32(Fate::TooDeep as u32)),
+        ("FATE_TOO_MANY", U32(Fate::TooMany as u32)),
     ])
 }

@@ -1,0 +1,140 @@
+//! The inspector: what is picked in the picture, and the panel that explains it.
+
+mod pick;
+mod rays;
+mod spectrum;
+
+use std::sync::Arc;
+
+use brilliance_renderer::camera::Camera;
+use brilliance_renderer::inspect::RayTree;
+use brilliance_renderer::scene::Scene;
+use brilliance_renderer::settings::TraceSettings;
+use eframe::egui::{Frame, Margin, Painter, Panel, Rect, RichText, ScrollArea, Ui};
+
+use crate::theme;
+use crate::waker::Waker;
+pub use pick::{Pick, PixelRect};
+use rays::Rays;
+
+/// What of a pixel is explained.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Tab {
+    /// The tree of its rays.
+    #[default]
+    Rays,
+    /// Its spectrum.
+    Spectrum,
+}
+
+/// The panel at the left edge, and what is drawn over the picture for it.
+#[derive(Debug, Default)]
+pub struct Inspector {
+    shown: bool,
+    tab: Tab,
+    pick: Option<Pick>,
+    rays: Rays,
+}
+
+impl Inspector {
+    /// Whether the panel is open, so that a click on the picture picks.
+    pub fn is_shown(&self) -> bool {
+        self.shown
+    }
+
+    /// Opens the panel, or closes it.
+    pub fn toggle(&mut self) {
+        self.shown = !self.shown;
+    }
+
+    /// What of the picture is picked.
+    pub fn pick(&self) -> Option<&Pick> {
+        self.pick.as_ref()
+    }
+
+    /// Picks pixels of the picture that `camera` sees.
+    pub fn set_pick(&mut self, pixels: PixelRect, size: [u32; 2], camera: Camera) {
+        self.pick = Some(Pick { pixels, size, camera });
+    }
+
+    /// Forgets what belongs to a document that is no longer open.
+    pub fn clear(&mut self) {
+        self.pick = None;
+        self.rays.clear();
+    }
+
+    /// The tree of rays that is shown.
+    pub fn ray_tree(&self) -> Option<&RayTree> {
+        self.rays.tree()
+    }
+
+    /// Has the rays of what is picked followed, where that is shown and not done yet.
+    pub fn follow_rays(&mut self, scene: &Arc<Scene>, trace: &TraceSettings, waker: &Waker) {
+        if let Some(pick) = self.pick.filter(|_| self.shown && self.tab == Tab::Rays) {
+            self.rays.update(&pick, scene, trace, waker);
+        }
+    }
+
+    /// Shows the panel, if it is open.
+    pub fn show(&mut self, ui: &mut Ui) {
+        if !self.shown {
+            return;
+        }
+        let frame = Frame::new().fill(theme::PANEL).inner_margin(Margin::symmetric(14, 6));
+        Panel::left("inspector").frame(frame).default_size(400.0).size_range(320.0..=640.0).show(
+            ui,
+            |ui| {
+                ui.horizontal(|ui| {
+                    for (tab, name) in [(Tab::Rays, "Rays"), (Tab::Spectrum, "Spectrum")] {
+                        ui.selectable_value(&mut self.tab, tab, RichText::new(name).strong());
+                    }
+                    let text = self.pick.map_or(String::new(), |pick| pick.pixels.to_string());
+                    ui.label(RichText::new(text).color(theme::TEXT_WEAK));
+                });
+                ui.separator();
+                match (self.tab, self.pick) {
+                    (_, None) => empty_ui(ui, self.tab),
+                    (Tab::Rays, Some(_)) => self.rays.show(ui),
+                    (Tab::Spectrum, Some(pick)) => {
+                        ScrollArea::vertical()
+                            .auto_shrink(false)
+                            .show(ui, |ui| spectrum::show(ui, &pick));
+                    }
+                }
+            },
+        );
+    }
+
+    /// Draws over the picture in `room`, which shows `size` pixels of what `camera` sees.
+    pub fn overlay(&mut self, painter: &Painter, room: Rect, size: [u32; 2], camera: &Camera) {
+        let Some(pick) = self.pick.filter(|_| self.shown) else { return };
+        if self.tab == Tab::Rays {
+            self.rays.overlay(painter, room, size, camera);
+        }
+        // The tree of a ray stays in the scene when the view turns; a spectrum is that of the place
+        // in the picture.
+        if self.tab == Tab::Spectrum || pick.camera == *camera {
+            pick.pixels.paint(painter, room, pick.size, size);
+        }
+    }
+}
+
+/// What is said while nothing is picked.
+fn empty_ui(ui: &mut Ui, tab: Tab) {
+    let (gain, how) = match tab {
+        Tab::Rays => (
+            "See where the light of a pixel comes from: every ray, every facet, every colour.",
+            "Click on the picture.",
+        ),
+        Tab::Spectrum => (
+            "See of which wavelengths the light of a pixel or a region is made.",
+            "Click on the picture, or drag a region while you hold Ctrl.",
+        ),
+    };
+    ui.add_space(24.0);
+    ui.vertical_centered(|ui| {
+        ui.label(gain);
+        ui.add_space(6.0);
+        ui.label(RichText::new(how).color(theme::TEXT_WEAK));
+    });
+}

@@ -1,0 +1,122 @@
+//! How many sub-rays, and how weak a ray, a picture needs: the tables and plots of `docs/study.md`.
+//!
+//! `cargo run --release --workspace --example study` traces them anew and writes the pictures into
+//! `docs/study`, or into the folder that is named on the command line.
+#![expect(clippy::print_stdout, reason = "the tables are for the page")]
+
+mod error;
+mod plot;
+mod scene;
+mod strip;
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+
+use brilliance_renderer::film::Film;
+use brilliance_renderer::settings::TraceSettings;
+
+use error::PictureError;
+use plot::Series;
+use scene::StudyScene;
+
+/// Split counts whose pictures are held against the converged one.
+const SPLIT_COUNTS: [f32; 5] = [1.0, 2.0, 3.0, 6.0, 12.0];
+/// Of the converged picture, and of the sweep of split counts.
+const FINE_SPLIT_COUNT: f32 = 48.0;
+/// Significance thresholds whose pictures are held against the converged one.
+const THRESHOLDS: [f32; 5] = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5];
+const FINE_THRESHOLD: f32 = 1e-6;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let folder = std::env::args_os().nth(1).map_or_else(default_folder, PathBuf::from);
+    std::fs::create_dir_all(&folder)?;
+    let scenes = scene::all()?;
+    let splitting = sweep(&scenes, &folder, "split-count", &split_settings())?;
+    plot::write(&folder.join("split-count.svg"), "split count K", &splitting)?;
+    let pruning = sweep(&scenes, &folder, "threshold", &threshold_settings())?;
+    plot::write(&folder.join("threshold.svg"), "significance threshold", &pruning)?;
+    Ok(())
+}
+
+fn default_folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/study")
+}
+
+/// What one picture is traced by, and the value that stands for it in table and plot.
+struct Candidate {
+    value: f32,
+    settings: TraceSettings,
+}
+
+/// The candidates of one setting, and the settings of the converged picture.
+struct Sweep {
+    candidates: Vec<Candidate>,
+    converged: TraceSettings,
+}
+
+fn split_settings() -> Sweep {
+    let settings = |split_count| TraceSettings {
+        split_count,
+        max_depth: *TraceSettings::MAX_DEPTH.end(),
+        ..TraceSettings::default()
+    };
+    Sweep {
+        candidates: SPLIT_COUNTS.map(|value| Candidate { value, settings: settings(value) }).into(),
+        converged: settings(FINE_SPLIT_COUNT),
+    }
+}
+
+fn threshold_settings() -> Sweep {
+    let settings = |significance_threshold| TraceSettings {
+        significance_threshold,
+        max_depth: *TraceSettings::MAX_DEPTH.end(),
+        ..TraceSettings::default()
+    };
+    Sweep {
+        candidates: THRESHOLDS.map(|value| Candidate { value, settings: settings(value) }).into(),
+        converged: settings(FINE_THRESHOLD),
+    }
+}
+
+/// Traces every candidate on every scene with the same camera rays as the converged picture, so
+/// that they differ by the setting alone; prints a table and writes a strip of pictures for each.
+fn sweep(
+    scenes: &[StudyScene],
+    folder: &Path,
+    name: &str,
+    sweep: &Sweep,
+) -> Result<Vec<Series>, Box<dyn Error>> {
+    let mut series = Vec::new();
+    for scene in scenes {
+        let converged = scene.trace(&sweep.converged)?;
+        println!("\n{}, {name}\n", scene.name);
+        println!("| {name} | rays per pixel | RMSE | mean ΔE₀₀ | 99 % ΔE₀₀ | light pruned |");
+        println!("|---|---|---|---|---|---|");
+        let mut films: Vec<Film> = Vec::new();
+        let mut points = Vec::new();
+        for Candidate { value, settings } in &sweep.candidates {
+            let still = scene.trace(settings)?;
+            let error =
+                PictureError::between(&still.film, &converged.film, &scene.document.display);
+            println!(
+                "| {value} | {:.1} | {:.4} | {:.3} | {:.2} | {:.2} % |",
+                still.statistics.mean_segments_per_camera_ray(),
+                error.relative_rmse,
+                error.mean_delta_e,
+                error.high_delta_e,
+                100.0 * still.statistics.ledger.pruned / still.statistics.ledger.entered,
+            );
+            points.push((f64::from(*value), error.mean_delta_e));
+            films.push(still.film);
+        }
+        println!(
+            "| converged | {:.1} | | | | |",
+            converged.statistics.mean_segments_per_camera_ray()
+        );
+        films.push(converged.film);
+        let path = folder.join(format!("{name}-{}.png", scene.file_name));
+        strip::write(&path, &films, &scene.document.display)?;
+        series.push(Series { name: scene.name, points });
+    }
+    Ok(series)
+}

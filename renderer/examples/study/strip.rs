@@ -1,0 +1,31 @@
+//! Pictures side by side.
+
+use std::path::Path;
+
+use brilliance_renderer::develop::XyzImage;
+use brilliance_renderer::film::Film;
+use brilliance_renderer::settings::DisplaySettings;
+use image::imageops::{FilterType, replace, resize};
+use image::{ImageResult, Rgba, RgbaImage};
+
+/// Pixels of the strip for each of the picture, so that single ones are seen.
+const MAGNIFICATION: u32 = 3;
+const GAP: u32 = 6;
+
+/// Writes all films, from the left to the right.
+pub(crate) fn write(path: &Path, films: &[Film], display: &DisplaySettings) -> ImageResult<()> {
+    let mut strip = RgbaImage::new(0, 0);
+    for (film, number) in films.iter().zip(0_u32..) {
+        let [columns, rows] = film.size();
+        let [width, height] = [columns, rows].map(|side| side * MAGNIFICATION);
+        if number == 0 {
+            let all = films.len() as u32 * (width + GAP) - GAP;
+            strip = RgbaImage::from_pixel(all, height, Rgba([255; 4]));
+        }
+        let codes = XyzImage::from_film(film).develop_rgba8(display);
+        let Some(picture) = RgbaImage::from_raw(columns, rows, codes) else { continue };
+        let picture = resize(&picture, width, height, FilterType::Nearest);
+        replace(&mut strip, &picture, i64::from(number * (width + GAP)), 0);
+    }
+    strip.save(path)
+}
