@@ -9,6 +9,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use brilliance_renderer::camera::Camera;
+use brilliance_renderer::drawing::Sheet;
 use brilliance_renderer::scene::Scene;
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::session::{RenderRequest, Session};
@@ -16,6 +17,7 @@ use eframe::egui::{self, CentralPanel, Color32, Ui, ViewportCommand};
 
 use crate::bounds::Bounds;
 use crate::command::{self, Command};
+use crate::drawing::{FacetWindow, PrismWindow, SheetFiles};
 use crate::editor::Editor;
 use crate::export::{ExportWindow, RenderStill, render_and_write};
 use crate::first_picture::FirstPicture;
@@ -71,6 +73,9 @@ pub struct App {
     files: Files,
     paths: PathDialog,
     export: ExportWindow,
+    facets: FacetWindow,
+    prism: PrismWindow,
+    sheets: SheetFiles,
     help: Option<Help>,
     title: String,
     /// Serial of the last failure of a graphics device that the user was told of.
@@ -108,6 +113,9 @@ impl App {
             first_picture: FirstPicture::new(services.started),
             paths: PathDialog::new(services.ask_path),
             export: ExportWindow::new(services.render_still),
+            facets: FacetWindow::default(),
+            prism: PrismWindow::default(),
+            sheets: SheetFiles::default(),
             help: None,
             title: String::new(),
         }
@@ -153,6 +161,16 @@ impl App {
     /// The messages that are shown.
     pub fn notices(&self) -> &Notices {
         &self.notices
+    }
+
+    /// The line drawing, while it is shown.
+    pub fn drawing(&self) -> Option<&Sheet> {
+        self.facets.sheet()
+    }
+
+    /// The diagram of how rays are divided, while it is shown.
+    pub fn prism_diagram(&self) -> Option<&Sheet> {
+        self.prism.sheet()
     }
 
     /// True while the question about unsaved changes is open.
@@ -263,6 +281,7 @@ impl eframe::App for App {
     fn logic(&mut self, ctx: &egui::Context, _frame: &mut eframe::Frame) {
         self.poll_files(ctx);
         self.export.poll(&mut self.notices);
+        self.sheets.poll(&mut self.notices);
         self.poll_graphics();
         self.guard_close(ctx);
     }

@@ -43,6 +43,10 @@ pub enum Command {
     TraceWith(Backend),
     /// Gives a graphics device that has failed another chance.
     RetryGraphics,
+    /// Shows or hides the line drawing of the stone.
+    ToggleDrawing,
+    /// Shows or hides the diagram of how rays are divided.
+    TogglePrism,
     /// Shows or hides the inspector.
     ToggleInspector,
     /// Shows or hides the panel.
@@ -75,7 +79,7 @@ const SHORTCUTS: [(Command, KeyboardShortcut); 8] = [
 ];
 
 /// Plain keys, for when no text is typed.
-const VIEW_KEYS: [(Key, Command); 12] = [
+const VIEW_KEYS: [(Key, Command); 13] = [
     (Key::Num1, Command::Look(StandardView::FaceUp)),
     (Key::F, Command::Look(StandardView::FaceUp)),
     (Key::Num3, Command::Look(StandardView::Side)),
@@ -83,6 +87,7 @@ const VIEW_KEYS: [(Key, Command); 12] = [
     (Key::Num7, Command::Look(StandardView::Pavilion)),
     (Key::P, Command::Look(StandardView::Pavilion)),
     (Key::R, Command::ResetCamera),
+    (Key::L, Command::ToggleDrawing),
     (Key::I, Command::ToggleInspector),
     (Key::H, Command::ShowNext),
     (Key::F1, Command::ShowKeys),

@@ -8,6 +8,7 @@ pub mod app;
 pub mod bounds;
 pub mod cli;
 pub mod command;
+pub mod drawing;
 pub mod editor;
 pub mod export;
 pub mod first_picture;

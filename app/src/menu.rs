@@ -37,6 +37,7 @@ pub fn show(ui: &mut Ui, state: &State<'_>) -> Option<Command> {
             ui.menu_button("View", |ui| view_ui(ui, state, &mut chosen));
             ui.menu_button("Help", |ui| {
                 entry(ui, true, "Mouse and keys", Command::ShowKeys, &mut chosen);
+                entry(ui, true, "How rays are divided", Command::TogglePrism, &mut chosen);
                 entry(ui, true, "About Brilliance", Command::ShowAbout, &mut chosen);
             });
             ui.add_space(12.0);
@@ -85,6 +86,8 @@ fn view_ui(ui: &mut Ui, state: &State<'_>, chosen: &mut Option<Command>) {
     entry(ui, true, "Reset camera", Command::ResetCamera, chosen);
     ui.separator();
     ui.menu_button("Show", |ui| shown::menu_ui(ui, state.shown, chosen));
+    entry(ui, true, "Line drawing", Command::ToggleDrawing, chosen);
+    ui.separator();
     ui.menu_button("Trace with", |ui| tracers::menu_ui(ui, state.tracers, chosen));
     ui.separator();
     let inspector = if state.inspector_is_open { "Hide inspector" } else { "Show inspector" };

@@ -1,5 +1,6 @@
 //! The window without a window system: each control changes what it says it changes.
 
+mod drawing;
 mod export;
 mod files;
 mod graphics;

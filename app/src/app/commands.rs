@@ -32,11 +32,14 @@ impl App {
             Command::ShowNext => self.live.show(shown::next(self.session().shown())),
             Command::TraceWith(backend) => self.live.set_backend(backend),
             Command::RetryGraphics => self.retry_graphics(),
+            Command::ToggleDrawing => self.facets.toggle(),
+            Command::TogglePrism => self.prism.toggle(),
             Command::ToggleInspector => self.inspector.toggle(),
             Command::TogglePanel => self.panel_shown = !self.panel_shown,
             Command::ShowKeys => self.help = Some(Help::Keys),
             Command::Dismiss => {
-                if !self.export.close() {
+                let closed = self.export.close() || self.prism.close() || self.facets.close();
+                if !closed {
                     self.notices.dismiss();
                 }
             }

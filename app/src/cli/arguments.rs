@@ -14,6 +14,7 @@ use clap::{Args, CommandFactory as _, Parser, Subcommand, value_parser};
 
 use super::assignment::Assignment;
 use super::backend::BackendChoice;
+use super::draw::DrawArguments;
 use super::image_size::ImageSize;
 use super::inspect::InspectArguments;
 use super::picture_format::{BitDepth, picture_format};
@@ -42,6 +43,8 @@ pub(super) struct Arguments {
 pub(super) enum Command {
     /// Render a picture to a file; needs no display
     Render(RenderArguments),
+    /// Draw a stone in lines, from above, the side and below, its facets with name and angle
+    Draw(DrawArguments),
     /// Print the tree of rays that one pixel of the picture is made of
     Inspect(InspectArguments),
     /// Print the spectrum of a pixel or of a region; needs no display
@@ -108,12 +111,15 @@ impl Arguments {
     /// The arguments of the process. Where they are wrong, says how and exits with code 2.
     pub(super) fn parse_checked() -> Self {
         let arguments = Self::parse();
-        if let Some(Command::Render(render)) = &arguments.command
-            && let Err(fault) = render.check()
-        {
+        let (name, checked) = match &arguments.command {
+            Some(Command::Render(render)) => ("render", render.check()),
+            Some(Command::Draw(draw)) => ("draw", draw.check()),
+            Some(Command::Inspect(_) | Command::Spectrum(_)) | None => return arguments,
+        };
+        if let Err(fault) = checked {
             let mut command = Self::command();
             command.build();
-            let command = command.find_subcommand_mut("render").cloned().unwrap_or(command);
+            let command = command.find_subcommand_mut(name).cloned().unwrap_or(command);
             command.clone().error(ErrorKind::ArgumentConflict, fault).exit();
         }
         arguments
@@ -196,6 +202,6 @@ fn parse_seconds(text: &str) -> Result<Duration, String> {
 }
 
 /// Whether two paths name one file, by way of links and dots where the files exist.
-fn same_file(a: &Path, b: &Path) -> bool {
+pub(super) fn same_file(a: &Path, b: &Path) -> bool {
     a == b || a.canonicalize().is_ok_and(|a| b.canonicalize().is_ok_and(|b| a == b))
 }

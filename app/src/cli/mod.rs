@@ -5,6 +5,7 @@
 mod arguments;
 mod assignment;
 mod backend;
+mod draw;
 mod image_size;
 mod inspect;
 mod picture_format;
@@ -30,6 +31,7 @@ pub fn run() -> ExitCode {
     let result = match arguments.command {
         None => view::view(arguments.file.as_deref(), arguments.backend.into(), started),
         Some(Command::Render(render)) => render::render(&render),
+        Some(Command::Draw(draw)) => draw::draw(&draw),
         Some(Command::Inspect(inspect)) => inspect::inspect(&inspect),
         Some(Command::Spectrum(spectrum)) => spectrum::spectrum(&spectrum),
     };
