@@ -12,10 +12,12 @@ use crate::{shown, theme};
 /// Distance from the edges of the picture, in points.
 const MARGIN: f32 = 12.0;
 const PADDING: f32 = 10.0;
-const BAR_WIDTH: f32 = 232.0;
+const WIDTH: f32 = 300.0;
 const BAR_HEIGHT: f32 = 12.0;
+/// Room for half a number beyond the ends of the bar.
+const OVERHANG: f32 = 14.0;
 /// From the swatch of nothing to the bar.
-const SWATCH_ADVANCE: f32 = 40.0;
+const SWATCH_ADVANCE: f32 = 44.0;
 const TITLE_HEIGHT: f32 = 18.0;
 const LINE_HEIGHT: f32 = 15.0;
 /// Pieces of the bar, between which colours run straight.
@@ -25,7 +27,7 @@ const PIECES: u32 = 60;
 /// `is_draft` says that the numbers are those of a draft.
 pub fn show(ui: &Ui, room: Rect, map: HeatMap, is_draft: bool) {
     let size = vec2(
-        SWATCH_ADVANCE + BAR_WIDTH + 2.0 * PADDING,
+        WIDTH,
         TITLE_HEIGHT + LINE_HEIGHT + 6.0 + BAR_HEIGHT + 3.0 + LINE_HEIGHT + 2.0 * PADDING,
     );
     let corner = room.left_bottom() + vec2(MARGIN, -MARGIN - size.y);
@@ -52,12 +54,15 @@ pub fn show(ui: &Ui, room: Rect, map: HeatMap, is_draft: bool) {
     let description = shown::description(Shown::Heat(map));
     text(&painter, at, Align2::LEFT_TOP, description, theme::TEXT_WEAK);
     at.y += LINE_HEIGHT + 6.0;
-    // Each pixel takes a ray, but many have no depth and prune nothing.
-    if map != HeatMap::Rays {
+    let mut bar = Rect::from_min_size(at, vec2(WIDTH - 2.0 * PADDING - OVERHANG, BAR_HEIGHT));
+    if map == HeatMap::Rays {
+        // Each pixel takes a ray.
+        bar.min.x += OVERHANG;
+    } else {
         swatch_ui(&painter, at);
+        bar.min.x += SWATCH_ADVANCE;
     }
-    at.x += SWATCH_ADVANCE;
-    bar_ui(&painter, at, map);
+    bar_ui(&painter, bar, map);
 }
 
 /// The colour of pixels for which there is nothing to count.
@@ -70,34 +75,29 @@ fn swatch_ui(painter: &Painter, at: Pos2) {
 }
 
 /// The scale with its numbers.
-fn bar_ui(painter: &Painter, at: Pos2, map: HeatMap) {
+fn bar_ui(painter: &Painter, bar: Rect, map: HeatMap) {
     let [low, high] = map.scale_ends();
-    let mut bar = Mesh::default();
+    let mut mesh = Mesh::default();
     for piece in 0..=PIECES {
         let share = piece as f32 / PIECES as f32;
         let [r, g, b] = map.color(low * (high / low).powf(share));
-        let x = at.x + share * BAR_WIDTH;
-        for y in [at.y, at.y + BAR_HEIGHT] {
-            bar.colored_vertex(pos2(x, y), Color32::from_rgb(r, g, b));
+        let x = bar.left() + share * bar.width();
+        for y in [bar.top(), bar.bottom()] {
+            mesh.colored_vertex(pos2(x, y), Color32::from_rgb(r, g, b));
         }
     }
     for corner in (0..2 * PIECES).step_by(2) {
-        bar.add_triangle(corner, corner + 1, corner + 2);
-        bar.add_triangle(corner + 1, corner + 2, corner + 3);
+        mesh.add_triangle(corner, corner + 1, corner + 2);
+        mesh.add_triangle(corner + 1, corner + 2, corner + 3);
     }
-    painter.add(Shape::mesh(bar));
+    painter.add(Shape::mesh(mesh));
 
-    let below = at.y + BAR_HEIGHT;
+    let below = bar.bottom();
     for &(value, label) in ticks(map) {
         let share = (value / low).ln() / (high / low).ln();
-        let x = at.x + share * BAR_WIDTH;
+        let x = bar.left() + share * bar.width();
         painter.vline(x, below - 4.0..=below, Stroke::new(1.0, theme::PANEL));
-        let align = match share {
-            0.0 => Align2::LEFT_TOP,
-            0.999.. => Align2::RIGHT_TOP,
-            _ => Align2::CENTER_TOP,
-        };
-        text(painter, pos2(x, below + 3.0), align, label, theme::TEXT);
+        text(painter, pos2(x, below + 3.0), Align2::CENTER_TOP, label, theme::TEXT);
     }
 }
 
