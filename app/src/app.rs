@@ -9,6 +9,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use brilliance_renderer::camera::Camera;
+use brilliance_renderer::drawing::Sheet;
 use brilliance_renderer::scene::Scene;
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::session::{RenderRequest, Session};
@@ -16,13 +17,14 @@ use eframe::egui::{self, CentralPanel, Color32, Ui, ViewportCommand};
 
 use crate::bounds::Bounds;
 use crate::command::{self, Command};
+use crate::drawing::{FacetWindow, PrismWindow, SheetFiles};
 use crate::editor::Editor;
 use crate::export::{ExportWindow, RenderStill, render_and_write};
 use crate::first_picture::FirstPicture;
 use crate::help::Help;
 use crate::inspector::Inspector;
 use crate::live::Live;
-use crate::menu::{self, Shown};
+use crate::menu;
 use crate::notice::Notices;
 use crate::opening::Opening;
 use crate::orbit::Orbit;
@@ -71,6 +73,9 @@ pub struct App {
     files: Files,
     paths: PathDialog,
     export: ExportWindow,
+    facets: FacetWindow,
+    prism: PrismWindow,
+    sheets: SheetFiles,
     help: Option<Help>,
     title: String,
     /// Serial of the last failure of a graphics device that the user was told of.
@@ -108,6 +113,9 @@ impl App {
             first_picture: FirstPicture::new(services.started),
             paths: PathDialog::new(services.ask_path),
             export: ExportWindow::new(services.render_still),
+            facets: FacetWindow::default(),
+            prism: PrismWindow::default(),
+            sheets: SheetFiles::default(),
             help: None,
             title: String::new(),
         }
@@ -155,6 +163,16 @@ impl App {
         &self.notices
     }
 
+    /// The line drawing, while it is shown.
+    pub fn drawing(&self) -> Option<&Sheet> {
+        self.facets.sheet()
+    }
+
+    /// The diagram of how rays are divided, while it is shown.
+    pub fn prism_diagram(&self) -> Option<&Sheet> {
+        self.prism.sheet()
+    }
+
     /// True while the question about unsaved changes is open.
     pub fn asks_about_changes(&self) -> bool {
         self.files.is_asking()
@@ -168,11 +186,6 @@ impl App {
     /// What is picked in the picture.
     pub fn inspector(&self) -> &Inspector {
         &self.inspector
-    }
-
-    /// Which of the panels are open.
-    fn shown(&self) -> Shown {
-        Shown { panel: self.panel_shown, inspector: self.inspector.is_shown() }
     }
 
     /// The document as it would be saved: with the camera as it is now.
@@ -208,11 +221,19 @@ impl App {
         self.update_scene();
         let document = &self.editor.document;
         self.live.ask(document, &self.scene, self.orbit.camera(), self.viewport_size);
+        self.live.watch(self.inspector.watched());
     }
 
     fn menu_ui(&mut self, ui: &mut Ui) {
         let tracers = self.tracers();
-        if let Some(command) = menu::show(ui, &self.editor, self.shown(), &tracers) {
+        let state = menu::State {
+            editor: &self.editor,
+            tracers: &tracers,
+            shown: self.session().shown(),
+            panel_is_open: self.panel_shown,
+            inspector_is_open: self.inspector.is_shown(),
+        };
+        if let Some(command) = menu::show(ui, &state) {
             self.run(command, ui.ctx());
         }
     }
@@ -260,6 +281,7 @@ impl eframe::App for App {
     fn logic(&mut self, ctx: &egui::Context, _frame: &mut eframe::Frame) {
         self.poll_files(ctx);
         self.export.poll(&mut self.notices);
+        self.sheets.poll(&mut self.notices);
         self.poll_graphics();
         self.guard_close(ctx);
     }
@@ -269,11 +291,13 @@ impl eframe::App for App {
         let ctx = ui.ctx().clone();
         let was_typing = command::is_typing(&ctx);
         self.menu_ui(ui);
-        status::show(ui, &self.session().progress(), &self.tracers());
+        let session = self.session();
+        status::show(ui, &session.progress(), session.shown(), &self.tracers());
         if self.panel_shown {
             self.panel_ui(ui);
         }
-        self.inspector.show(ui);
+        let reading = self.session().reading();
+        self.inspector.show(ui, reading.as_ref(), &self.editor.document.display);
         self.viewport_ui(ui);
         self.overlays_ui(&ctx);
         // After the widgets, which take the keys that are meant for them.

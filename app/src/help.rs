@@ -13,7 +13,7 @@ pub enum Help {
     About,
 }
 
-const KEYS: [(&str, &str); 17] = [
+const KEYS: [(&str, &str); 19] = [
     ("Drag", "turn the stone"),
     ("Middle drag, Shift + drag", "move it"),
     ("Wheel, pinch", "come nearer to what is under the cursor"),
@@ -21,6 +21,8 @@ const KEYS: [(&str, &str); 17] = [
     ("1 or F", "face-up"),
     ("3 or S", "side"),
     ("7 or P", "pavilion-up"),
+    ("H", "picture, rays per pixel, depth, pruned light"),
+    ("L", "the line drawing with names and angles"),
     ("I", "show or hide the inspector"),
     ("Click, Ctrl + drag", "pick a pixel or a region for the inspector"),
     ("Arrow keys, + and \u{2212}", "turn and zoom"),
@@ -28,7 +30,7 @@ const KEYS: [(&str, &str); 17] = [
     ("Ctrl + O, Ctrl + S", "open, save"),
     ("Ctrl + E", "export a still"),
     ("Ctrl + Z, Ctrl + Shift + Z", "undo, redo"),
-    ("Escape", "close the export window, then messages"),
+    ("Escape", "close the export window, the drawing, then messages"),
     ("F9", "show or hide the panel"),
     ("Ctrl + Q", "quit"),
 ];

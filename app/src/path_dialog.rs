@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use brilliance_renderer::drawing::SheetFormat;
 use eframe::egui::{self, Key, RichText, TextEdit, Ui};
 
 use crate::task::{Task, TaskState};
@@ -19,6 +20,8 @@ pub enum Purpose {
     SaveScene,
     /// Where to write the still.
     ExportStill,
+    /// Where to write a drawing.
+    SaveDrawing(SheetFormat),
 }
 
 /// A question for a path.
@@ -67,13 +70,14 @@ impl Purpose {
             Self::Open => "Open a scene, a mesh or the scene of a still",
             Self::SaveScene => "Save the scene",
             Self::ExportStill => "Export the still",
+            Self::SaveDrawing(_) => "Save the drawing",
         }
     }
 
     fn action(self) -> &'static str {
         match self {
             Self::Open => "Open",
-            Self::SaveScene => "Save",
+            Self::SaveScene | Self::SaveDrawing(_) => "Save",
             Self::ExportStill => "Choose",
         }
     }
@@ -207,7 +211,9 @@ pub fn ask_desktop(question: &Question) -> Option<PathBuf> {
     let mut dialog = rfd::FileDialog::new().set_title(question.purpose.title());
     let folder = match question.purpose {
         Purpose::Open => Some(question.suggestion.as_path()),
-        Purpose::SaveScene | Purpose::ExportStill => question.suggestion.parent(),
+        Purpose::SaveScene | Purpose::ExportStill | Purpose::SaveDrawing(_) => {
+            question.suggestion.parent()
+        }
     };
     if let Some(folder) = folder.filter(|folder| folder.is_dir()) {
         dialog = dialog.set_directory(folder);
@@ -227,6 +233,8 @@ pub fn ask_desktop(question: &Question) -> Option<PathBuf> {
         Purpose::ExportStill => {
             dialog.add_filter("PNG", &["png"]).add_filter("OpenEXR", &["exr"]).save_file()
         }
+        Purpose::SaveDrawing(SheetFormat::Svg) => dialog.add_filter("SVG", &["svg"]).save_file(),
+        Purpose::SaveDrawing(SheetFormat::Png) => dialog.add_filter("PNG", &["png"]).save_file(),
     }
 }
 

@@ -5,6 +5,7 @@ pub mod camera;
 pub mod color;
 pub mod cuts;
 pub mod develop;
+pub mod drawing;
 pub mod error;
 pub mod film;
 pub mod gpu;

@@ -153,6 +153,9 @@ impl App {
             Purpose::Open => self.open_file(path),
             Purpose::SaveScene => self.save_to(path),
             Purpose::ExportStill => self.export.set_path(&path),
+            Purpose::SaveDrawing(_) => {
+                self.sheets.write(&path, self.live.waker(), &mut self.notices);
+            }
         }
     }
 

@@ -7,6 +7,7 @@ use brilliance_renderer::session::RenderRequest;
 use eframe::egui;
 
 use super::{App, files};
+use crate::drawing::{SaveSheet, extension};
 use crate::export::{ExportAction, StillJob, StillOrder};
 use crate::help;
 use crate::path_dialog::{Purpose, Question};
@@ -24,6 +25,11 @@ impl App {
             Some(ExportAction::Start(order)) => self.start_export(order),
             None => {}
         }
+        let object = self.editor.document.scene.objects.get(self.panel.object());
+        let of_prism = self.prism.show(ctx);
+        if let Some(order) = self.facets.show(ctx, object).or(of_prism) {
+            self.ask_save_sheet(order);
+        }
         if let Some(page) = self.help
             && !help::show(ctx, page)
         {
@@ -39,6 +45,15 @@ impl App {
         }
         self.notices.show(ctx);
         files::drop_target_ui(ctx, self.files.opening_name());
+    }
+
+    /// Asks where to save a drawing.
+    fn ask_save_sheet(&mut self, order: SaveSheet) {
+        let format = order.format;
+        let suggestion = self.suggested_path(extension(format));
+        self.sheets.await_path(order);
+        let question = Question { purpose: Purpose::SaveDrawing(format), suggestion };
+        self.paths.open(self.live.waker(), question);
     }
 
     fn start_export(&mut self, order: StillOrder) {

@@ -14,9 +14,12 @@ use clap::{Args, CommandFactory as _, Parser, Subcommand, value_parser};
 
 use super::assignment::Assignment;
 use super::backend::BackendChoice;
+use super::draw::DrawArguments;
 use super::image_size::ImageSize;
 use super::inspect::InspectArguments;
 use super::picture_format::{BitDepth, picture_format};
+use super::shown::ShownChoice;
+use super::spectrum::SpectrumArguments;
 
 /// Most threads worth asking for.
 const MAX_THREADS: u64 = 1024;
@@ -40,8 +43,12 @@ pub(super) struct Arguments {
 pub(super) enum Command {
     /// Render a picture to a file; needs no display
     Render(RenderArguments),
+    /// Draw a stone in lines, from above, the side and below, its facets with name and angle
+    Draw(DrawArguments),
     /// Print the tree of rays that one pixel of the picture is made of
     Inspect(InspectArguments),
+    /// Print the spectrum of a pixel or of a region; needs no display
+    Spectrum(SpectrumArguments),
 }
 
 /// A picture to render.
@@ -83,6 +90,10 @@ pub(super) struct RenderArguments {
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub(super) assignments: Vec<Assignment>,
 
+    /// What a PNG shows; heat maps have fixed logarithmic scales, and black where there is nothing
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) show: ShownChoice,
+
     /// Bits per channel of a PNG [default: 8]
     #[arg(long, value_enum)]
     pub(super) bits: Option<BitDepth>,
@@ -100,12 +111,15 @@ impl Arguments {
     /// The arguments of the process. Where they are wrong, says how and exits with code 2.
     pub(super) fn parse_checked() -> Self {
         let arguments = Self::parse();
-        if let Some(Command::Render(render)) = &arguments.command
-            && let Err(fault) = render.check()
-        {
+        let (name, checked) = match &arguments.command {
+            Some(Command::Render(render)) => ("render", render.check()),
+            Some(Command::Draw(draw)) => ("draw", draw.check()),
+            Some(Command::Inspect(_) | Command::Spectrum(_)) | None => return arguments,
+        };
+        if let Err(fault) = checked {
             let mut command = Self::command();
             command.build();
-            let command = command.find_subcommand_mut("render").cloned().unwrap_or(command);
+            let command = command.find_subcommand_mut(name).cloned().unwrap_or(command);
             command.clone().error(ErrorKind::ArgumentConflict, fault).exit();
         }
         arguments
@@ -128,7 +142,9 @@ impl RenderArguments {
 
     /// What clap can't see: options that contradict each other.
     fn check(&self) -> Result<(), String> {
-        self.format()?;
+        if matches!(self.format()?, StillFormat::Exr { .. }) && self.show != ShownChoice::Color {
+            return Err("an OpenEXR picture holds light; name a .png for a heat map".into());
+        }
         self.check_files()?;
         self.check_assignments()?;
         if self.threads.is_some() && self.backend == BackendChoice::Gpu {
@@ -172,7 +188,7 @@ impl RenderArguments {
 }
 
 /// A whole number in `allowed`.
-fn within(allowed: RangeInclusive<u32>) -> RangedI64ValueParser<u32> {
+pub(super) fn within(allowed: RangeInclusive<u32>) -> RangedI64ValueParser<u32> {
     value_parser!(u32).range(i64::from(*allowed.start())..=i64::from(*allowed.end()))
 }
 
@@ -186,6 +202,6 @@ fn parse_seconds(text: &str) -> Result<Duration, String> {
 }
 
 /// Whether two paths name one file, by way of links and dots where the files exist.
-fn same_file(a: &Path, b: &Path) -> bool {
+pub(super) fn same_file(a: &Path, b: &Path) -> bool {
     a == b || a.canonicalize().is_ok_and(|a| b.canonicalize().is_ok_and(|b| a == b))
 }

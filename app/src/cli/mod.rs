@@ -5,6 +5,7 @@
 mod arguments;
 mod assignment;
 mod backend;
+mod draw;
 mod image_size;
 mod inspect;
 mod picture_format;
@@ -12,6 +13,8 @@ mod pixel;
 mod progress;
 mod render;
 mod report;
+mod shown;
+mod spectrum;
 mod view;
 
 use std::io::Write as _;
@@ -28,7 +31,9 @@ pub fn run() -> ExitCode {
     let result = match arguments.command {
         None => view::view(arguments.file.as_deref(), arguments.backend.into(), started),
         Some(Command::Render(render)) => render::render(&render),
+        Some(Command::Draw(draw)) => draw::draw(&draw),
         Some(Command::Inspect(inspect)) => inspect::inspect(&inspect),
+        Some(Command::Spectrum(spectrum)) => spectrum::spectrum(&spectrum),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -23,6 +23,13 @@ pub struct PanelState {
     material_filter: String,
 }
 
+impl PanelState {
+    /// The index of the object that the panel edits.
+    pub(crate) fn object(&self) -> usize {
+        self.object
+    }
+}
+
 /// Shows the panel at the right edge. `opened` is the document as it was opened, where the lights
 /// go back to.
 pub fn show(

@@ -24,6 +24,7 @@ pub fn follow(walk: &mut Walk<'_>) {
     let scene = walk.scene;
     let mut ray = walk.pop();
     walk.tally.segments += 1;
+    walk.tally.depth = walk.tally.depth.max(ray.depth);
     let mut hit = Hit::MISS;
     for attempt in 0..2 {
         if attempt > 0 {

@@ -7,7 +7,8 @@ use super::bell::Urgency;
 use super::graphics::Refusal;
 use super::shared::lock;
 use super::threads::Threads;
-use super::{Activity, GraphicsFailure, GraphicsState, Progress, RenderRequest};
+use super::{Activity, GraphicsFailure, GraphicsState, Progress, Reading, RenderRequest};
+use crate::film::Region;
 use crate::scene::Scene;
 use crate::scene_file::Document;
 use crate::tracer::fake::{Call, FakeDevice, REASON};
@@ -84,6 +85,10 @@ impl Watched {
 
     fn serial(&self) -> u64 {
         lock(&self.threads.shared.picture).as_ref().map_or(0, |picture| picture.serial)
+    }
+
+    fn reading(&self) -> Option<Arc<Reading>> {
+        lock(&self.threads.shared.watch).reading().cloned()
     }
 
     fn progress(&self) -> Progress {
@@ -166,11 +171,18 @@ fn wherever_the_device_fails_the_processor_takes_over_and_a_retry_works() {
         (Call::Trace, 1),
         (Call::Expose, 0),
         (Call::Expose, 1),
+        (Call::Mean, 0),
+        (Call::Mean, 1),
     ];
     for (call, panics) in calls.into_iter().flat_map(|call| [(call, false), (call, true)]) {
         let device = FakeDevice::failing_at(call.0, call.1);
         device.plan().panics = panics;
         let mut watched = Watched::tracing(Backend::Auto, &device);
+        watched.threads.watch(Some(Region::WHOLE));
+        if call == (Call::Mean, 1) {
+            watched.wait(|_| device.count(Call::Mean) > 0);
+            watched.threads.watch(Some(Region::between([0.0; 2], [0.5; 2])));
+        }
         watched.wait_for_done(false);
         watched.wait(|watched| matches!(watched.state(), GraphicsState::Failed(_)));
         let reason = watched.failure().expect("it is told").reason;
@@ -189,6 +201,46 @@ fn wherever_the_device_fails_the_processor_takes_over_and_a_retry_works() {
         watched.wait_for_done(true);
         assert_eq!(watched.state(), GraphicsState::Ready, "{call:?}");
     }
+}
+
+#[test]
+fn a_device_reads_what_is_watched_and_nothing_where_nothing_is() {
+    let device = FakeDevice::hardware();
+    let mut watched = Watched::tracing(Backend::Gpu, &device);
+    watched.wait_for_done(true);
+    assert_eq!((device.count(Call::Mean), watched.reading()), (0, None));
+    let passes = device.count(Call::Trace);
+    for (serial, region) in
+        [(1, Region::WHOLE), (2, Region::of_pixel_at([0.5; 2], SIZE)), (3, Region::WHOLE)]
+    {
+        watched.threads.watch(Some(region));
+        watched.wait(|watched| watched.reading().is_some_and(|it| it.serial == serial));
+        assert_eq!(watched.reading().map(|it| it.region), Some(region));
+    }
+    watched.threads.watch(Some(Region::WHOLE));
+    watched.threads.watch(None);
+    assert_eq!(watched.reading(), None);
+    assert_eq!((device.count(Call::Mean), device.count(Call::Trace)), (3, passes));
+}
+
+#[test]
+fn another_region_is_read_while_a_long_round_goes_on() {
+    let device = FakeDevice::hardware();
+    device.plan().seconds_per_pixel = Some(3e-4);
+    let endless = RenderRequest { pass_limit: 1_000_000, ..request(Backend::Gpu) };
+    let mut watched = Watched::tracing_request(endless, &device);
+    watched.threads.watch(Some(Region::WHOLE));
+    watched.wait(|watched| watched.reading().is_some());
+    device.plan().seconds_per_pixel = Some(1e6);
+    let rounds = device.count(Call::Trace);
+    while device.count(Call::Trace) == rounds {
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    let readings = device.count(Call::Mean);
+    let region = Region::of_pixel_at([0.5; 2], SIZE);
+    watched.threads.watch(Some(region));
+    watched.wait(|watched| watched.reading().is_some_and(|it| it.region == region));
+    assert_eq!((device.count(Call::Trace), device.count(Call::Mean)), (rounds + 1, readings));
 }
 
 #[test]
