@@ -17,7 +17,8 @@ pub const NUDGE: f32 = 1e-5;
 /// The nearest surface along `ray`; [`Hit::MISS`] where there is none.
 ///
 /// A ray inside a body meets that body's own surface before any that touches it.
-#[inline]
+#[expect(clippy::inline_always, reason = "most of what following a ray is, though others call it")]
+#[inline(always)]
 pub fn find_intersection(scene: &PackedScene, ray: &Ray) -> Hit {
     let mut own = Hit::MISS;
     if ray.medium != NONE {

@@ -19,6 +19,9 @@ pub(super) const MOST_RAYS: usize = 4000;
 const MOST_DETAILED: usize = 300;
 /// A pointer this near to a ray, in points, points to it.
 const NEARNESS: f32 = 7.0;
+/// A ray that looks shorter than this, in points, can't be pointed at: seen end on, as the camera ray
+/// is when it has just been picked, it would be pointed at all the time.
+const SHORTEST: f32 = 3.0;
 /// Width of a slice of a fan's colours, in nm.
 const SLICE_NM: f32 = 12.0;
 
@@ -230,8 +233,9 @@ fn nearest(placed: &[Placed], pointer: Pos2) -> Option<u32> {
     let mut nearest = None;
     let mut least = NEARNESS;
     for placed in placed {
-        let distance = distance(placed.line.ends, pointer);
-        if distance < least - 0.5 {
+        let [a, b] = placed.line.ends;
+        let distance = distance([a, b], pointer);
+        if a.distance(b) >= SHORTEST && distance < least - 0.5 {
             (nearest, least) = (Some(placed.id), distance);
         }
     }
@@ -260,5 +264,8 @@ mod tests {
         assert_eq!(nearest(&rays, pos2(50.0, 11.0)), Some(7));
         assert_eq!(nearest(&rays, pos2(50.0, 18.0)), Some(5));
         assert_eq!(nearest(&rays, pos2(120.0, 18.0)), None);
+        let mut end_on = placed(1, 10.0);
+        end_on.line.ends[1] = end_on.line.ends[0];
+        assert_eq!(nearest(&[end_on], pos2(0.0, 10.0)), None);
     }
 }
