@@ -34,6 +34,7 @@ fn stone(material: Material) -> Object {
         shape: Shape::RoundBrilliant(RoundBrilliant::default()),
         transform: Transform::default(),
         material,
+        throws_light: false,
     }
 }
 
@@ -111,7 +112,7 @@ fn every_material_round_trips() {
         absorption_per_mm: Some(table_spectrum()),
     }));
     for reflectance in [Spectrum::Flat(0.18), Spectrum::Rgb([0.1, 0.9, 0.3]), table_spectrum()] {
-        materials.push(Material::Diffuse(Diffuse { reflectance }));
+        materials.push(Material::Diffuse(Diffuse { reflectance, print: None }));
     }
     for material in materials {
         let mut document = Document::default();

@@ -219,6 +219,33 @@ fn a_colour_becomes_a_reflectance_and_develops_to_the_same_colour() {
     }
 }
 
+/// Red, green and blue are all there is of white, at every wavelength, and each is a reflectance.
+#[test]
+fn the_primaries_add_up_to_white() {
+    let [red, green, blue] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Spectrum::Rgb);
+    for lambda_nm in (0..=3500).map(|i| 380.0 + 0.1 * i as f32) {
+        let parts = [&red, &green, &blue].map(|primary| primary.at(lambda_nm));
+        assert!(parts.iter().all(|part| (0.0..=1.0).contains(part)), "{lambda_nm} nm: {parts:?}");
+        assert!((parts.iter().sum::<f32>() - 1.0).abs() < 1e-6, "{lambda_nm} nm: {parts:?}");
+    }
+}
+
+/// Between two texels a print has the mixture of their reflectances: that must be the reflectance
+/// of the mixture of their colours.
+#[test]
+fn a_mixture_of_colours_has_the_mixture_of_their_reflectances() {
+    let [warm, cold] = [[0.9_f32, 0.3, 0.1], [0.05, 0.2, 0.8]];
+    let bins = Bins::new(16);
+    for part in [0.1, 0.5, 0.7] {
+        let mix = |a: f32, b: f32| a + part * (b - a);
+        let mixed = Spectrum::Rgb(std::array::from_fn(|i| mix(warm[i], cold[i]))).bin_means(bins);
+        let [warm, cold] = [warm, cold].map(|colour| Spectrum::Rgb(colour).bin_means(bins));
+        for (bin, mixed) in mixed.into_iter().enumerate() {
+            assert!((mixed - mix(warm[bin], cold[bin])).abs() < 1e-6, "{part}, bin {bin}");
+        }
+    }
+}
+
 /// A film sees means over its bins; each halving of the bins brings the colour about four times
 /// nearer.
 #[test]

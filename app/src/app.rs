@@ -287,6 +287,8 @@ impl eframe::App for App {
         let (now, pointer_down) = ctx.input(|input| (input.time, input.pointer.any_down()));
         self.editor.record(now, pointer_down);
         self.update_request();
+        let trace = &self.editor.document.trace;
+        self.inspector.follow_rays(&self.scene, trace, self.live.waker());
         self.update_title(&ctx);
     }
 

@@ -8,12 +8,16 @@ use std::sync::Arc;
 
 use brilliance_renderer::camera::Camera;
 use brilliance_renderer::film::Region;
+use brilliance_renderer::inspect::RayTree;
+use brilliance_renderer::scene::Scene;
 use brilliance_renderer::session::Reading;
-use brilliance_renderer::settings::DisplaySettings;
+use brilliance_renderer::settings::{DisplaySettings, TraceSettings};
 use eframe::egui::{Frame, Margin, Painter, Panel, Rect, RichText, ScrollArea, Ui};
 
 use crate::theme;
+use crate::waker::Waker;
 pub use pick::{Pick, PixelRect};
+use rays::Rays;
 use spectrum::SpectrumTab;
 
 /// What of a pixel is explained.
@@ -32,6 +36,7 @@ pub struct Inspector {
     shown: bool,
     tab: Tab,
     pick: Option<Pick>,
+    rays: Rays,
     spectrum: SpectrumTab,
 }
 
@@ -66,6 +71,19 @@ impl Inspector {
     /// Forgets what belongs to a document that is no longer open.
     pub fn clear(&mut self) {
         self.pick = None;
+        self.rays.clear();
+    }
+
+    /// The tree of rays that is shown.
+    pub fn ray_tree(&self) -> Option<&RayTree> {
+        self.rays.tree()
+    }
+
+    /// Has the rays of what is picked followed, where that is shown and not done yet.
+    pub fn follow_rays(&mut self, scene: &Arc<Scene>, trace: &TraceSettings, waker: &Waker) {
+        if let Some(pick) = self.pick.filter(|_| self.shown && self.tab == Tab::Rays) {
+            self.rays.update(&pick, scene, trace, waker);
+        }
     }
 
     /// Shows the panel, if it is open: the newest `reading` of what is watched, and what the display
@@ -86,22 +104,25 @@ impl Inspector {
                     ui.label(RichText::new(text).color(theme::TEXT_WEAK));
                 });
                 ui.separator();
-                ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-                    match (self.tab, self.pick) {
-                        (_, None) => empty_ui(ui, self.tab),
-                        (Tab::Rays, Some(pick)) => rays::show(ui, &pick),
-                        (Tab::Spectrum, Some(pick)) => {
+                match (self.tab, self.pick) {
+                    (_, None) => empty_ui(ui, self.tab),
+                    (Tab::Rays, Some(_)) => self.rays.show(ui),
+                    (Tab::Spectrum, Some(pick)) => {
+                        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
                             self.spectrum.show(ui, pick.region(), reading, display);
-                        }
+                        });
                     }
-                });
+                }
             },
         );
     }
 
     /// Draws over the picture in `room`, which shows `size` pixels of what `camera` sees.
-    pub fn overlay(&self, painter: &Painter, room: Rect, size: [u32; 2], camera: &Camera) {
+    pub fn overlay(&mut self, painter: &Painter, room: Rect, size: [u32; 2], camera: &Camera) {
         let Some(pick) = self.pick.filter(|_| self.shown) else { return };
+        if self.tab == Tab::Rays {
+            self.rays.overlay(painter, room, size, camera);
+        }
         // The tree of a ray stays in the scene when the view turns; a spectrum is that of the place
         // in the picture.
         if self.tab == Tab::Spectrum || pick.camera == *camera {

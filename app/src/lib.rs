@@ -23,6 +23,7 @@ pub mod panels;
 pub mod path_dialog;
 pub mod picture_painter;
 pub mod question;
+pub(crate) mod ray_words;
 pub mod row;
 pub mod spectrum_csv;
 pub mod status;

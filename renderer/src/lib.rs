@@ -10,6 +10,7 @@ pub mod film;
 pub mod gpu;
 pub mod image_file;
 pub mod import;
+pub mod inspect;
 pub mod kernel;
 pub mod light;
 pub mod material;

@@ -4,6 +4,8 @@ use std::ops::AddAssign;
 
 use serde::Serialize;
 
+use crate::kernel::walk::Tally;
+
 /// Where the energy of the camera rays went, in units of one camera ray over the whole spectrum.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Ledger {
@@ -22,6 +24,18 @@ pub struct Ledger {
 }
 
 impl Ledger {
+    /// The books of one camera ray.
+    pub fn of_tally(tally: &Tally) -> Self {
+        Self {
+            entered: 1.0,
+            returned: f64::from(tally.returned),
+            absorbed: f64::from(tally.absorbed),
+            pruned: f64::from(tally.pruned),
+            cut_off: f64::from(tally.cut_off),
+            lost: f64::from(tally.lost),
+        }
+    }
+
     /// Entered minus everything accounted for; 0 but for rounding.
     pub fn imbalance(&self) -> f64 {
         self.entered - self.returned - self.absorbed - self.pruned - self.cut_off - self.lost

@@ -8,6 +8,7 @@ mod interface;
 mod intersection;
 mod lights;
 mod matte;
+mod passages;
 mod poison;
 mod prism;
 mod scenes;

@@ -4,6 +4,7 @@ mod export;
 mod files;
 mod graphics;
 mod inspector;
+mod inspector_rays;
 mod inspector_spectrum;
 mod panel;
 mod picture;

@@ -15,6 +15,7 @@ use clap::{Args, CommandFactory as _, Parser, Subcommand, value_parser};
 use super::assignment::Assignment;
 use super::backend::BackendChoice;
 use super::image_size::ImageSize;
+use super::inspect::InspectArguments;
 use super::picture_format::{BitDepth, picture_format};
 use super::spectrum::SpectrumArguments;
 
@@ -40,6 +41,8 @@ pub(super) struct Arguments {
 pub(super) enum Command {
     /// Render a picture to a file; needs no display
     Render(RenderArguments),
+    /// Print the tree of rays that one pixel of the picture is made of
+    Inspect(InspectArguments),
     /// Print the spectrum of a pixel or of a region; needs no display
     Spectrum(SpectrumArguments),
 }

@@ -1,4 +1,4 @@
-//! The command line: opens the window, or renders without one.
+//! The command line: opens the window, or works without one.
 //!
 //! Exit codes: 0 done, 1 failed (one line on the standard error says why), 2 wrong usage.
 
@@ -6,7 +6,9 @@ mod arguments;
 mod assignment;
 mod backend;
 mod image_size;
+mod inspect;
 mod picture_format;
+mod pixel;
 mod progress;
 mod render;
 mod report;
@@ -27,6 +29,7 @@ pub fn run() -> ExitCode {
     let result = match arguments.command {
         None => view::view(arguments.file.as_deref(), arguments.backend.into(), started),
         Some(Command::Render(render)) => render::render(&render),
+        Some(Command::Inspect(inspect)) => inspect::inspect(&inspect),
         Some(Command::Spectrum(spectrum)) => spectrum::spectrum(&spectrum),
     };
     match result {

@@ -1,10 +1,192 @@
-//! The tree of a pixel's rays.
+//! The tree of a pixel's rays: its table, and the rays in the picture.
 
-use eframe::egui::Ui;
+mod brush;
+mod detail;
+mod filter;
+mod legend;
+mod outline;
+mod overlay;
+mod palette;
+mod projection;
+mod recording;
+mod table;
+mod totals;
+mod traced;
+
+use std::sync::Arc;
+
+use brilliance_renderer::camera::Camera;
+use brilliance_renderer::inspect::RayTree;
+use brilliance_renderer::scene::Scene;
+use brilliance_renderer::settings::TraceSettings;
+use eframe::egui::{CollapsingHeader, Painter, Rect, RichText, Ui};
 
 use super::Pick;
+use crate::row::{SliderRow, choice};
+use crate::theme;
+use crate::waker::Waker;
+use filter::Filter;
+use overlay::Drawing;
+use projection::Projection;
+use recording::Recording;
+use table::Table;
+use traced::Traced;
 
-/// Shows the tab.
-pub(super) fn show(ui: &mut Ui, pick: &Pick) {
-    ui.label(format!("{:?}", pick.pixels.middle()));
+/// In which order the rays are listed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Order {
+    /// Each before those that came of it.
+    #[default]
+    Tree,
+    /// The most significant first.
+    Strongest,
+}
+
+/// What is looked at.
+#[derive(Clone, Debug, Default)]
+struct Focus {
+    /// The row under the pointer.
+    row: Option<u32>,
+    /// The ray under the pointer, in the picture.
+    in_picture: Option<u32>,
+    /// What was clicked on.
+    selected: Option<u32>,
+    /// The rows that can be seen.
+    in_sight: Vec<u32>,
+}
+
+impl Focus {
+    /// The ray whose path is shown.
+    fn looked_at(&self) -> Option<u32> {
+        self.row.or(self.in_picture).or(self.selected)
+    }
+}
+
+/// The tab and its picture.
+#[derive(Debug)]
+pub(super) struct Rays {
+    recording: Recording,
+    filter: Filter,
+    order: Order,
+    focus: Focus,
+    /// How much of the picture the rays cover, 0..=1.
+    veil: f32,
+    /// A ray that was pointed at in the picture, to be brought into sight in the table.
+    bring: Option<u32>,
+}
+
+impl Default for Rays {
+    fn default() -> Self {
+        Self {
+            recording: Recording::default(),
+            filter: Filter::default(),
+            order: Order::default(),
+            focus: Focus::default(),
+            veil: Self::VEIL,
+            bring: None,
+        }
+    }
+}
+
+impl Rays {
+    /// The veil that leaves the picture to be guessed.
+    const VEIL: f32 = 0.8;
+
+    /// Sees to it that the tree is that of `pick`, as it would be in `scene` now.
+    pub(super) fn update(
+        &mut self,
+        pick: &Pick,
+        scene: &Arc<Scene>,
+        trace: &TraceSettings,
+        waker: &Waker,
+    ) {
+        if self.recording.update(pick, scene, trace, waker) {
+            self.focus = Focus::default();
+        }
+    }
+
+    /// Forgets what was recorded.
+    pub(super) fn clear(&mut self) {
+        self.recording.clear();
+        self.focus = Focus::default();
+    }
+
+    /// The tree that is shown.
+    pub(super) fn tree(&self) -> Option<&RayTree> {
+        self.recording.tree().map(|traced| &traced.tree)
+    }
+
+    /// Shows the tab.
+    pub(super) fn show(&mut self, ui: &mut Ui) {
+        if let Some(fault) = self.recording.fault() {
+            ui.label(RichText::new("The rays can't be followed").strong().color(theme::ERROR));
+            ui.label(fault);
+        }
+        let Some(traced) = self.recording.tree() else {
+            if self.recording.is_running() {
+                ui.horizontal(|ui| {
+                    ui.spinner();
+                    ui.label("Following the rays\u{2026}");
+                });
+            }
+            return;
+        };
+        totals::show(ui, &traced.tree);
+        CollapsingHeader::new("Show").default_open(false).show(ui, |ui| {
+            self.filter.show(ui, traced.deepest);
+            SliderRow::new("Veil", "Covers the picture under the rays.", 0.0..=1.0, Self::VEIL)
+                .percent()
+                .decimals(0)
+                .show_f32(ui, &mut self.veil);
+        });
+        let orders = [(Order::Tree, "along the tree"), (Order::Strongest, "strongest first")];
+        choice(ui, "Order", "The order of the rays below.", &mut self.order, &orders);
+        ui.separator();
+        let rows = rows(traced, &self.filter, self.order);
+        detail::show(ui, traced, &mut self.focus);
+        table::heading_ui(ui);
+        if rows.is_empty() {
+            ui.label(RichText::new("No ray is like this.").color(theme::TEXT_WEAK));
+        }
+        let table = Table { traced, rows: &rows, is_indented: self.order == Order::Tree };
+        table.show(ui, &mut self.focus, self.bring.take());
+    }
+
+    /// Draws the tree over the picture in `room`, which shows `size` pixels of what `camera` sees.
+    pub(super) fn overlay(
+        &mut self,
+        painter: &Painter,
+        room: Rect,
+        size: [u32; 2],
+        camera: &Camera,
+    ) {
+        let Some(traced) = self.recording.tree() else { return };
+        let rays = rows(traced, &self.filter, Order::Strongest);
+        let drawing = Drawing {
+            traced,
+            rays: &rays,
+            focus: self.focus.clone(),
+            veil: self.veil,
+            projection: Projection::new(camera, size, room),
+            room,
+        };
+        let pointer = painter.ctx().input(|input| {
+            input.pointer.hover_pos().filter(|at| room.contains(*at) && !input.pointer.any_down())
+        });
+        let in_picture = drawing.paint(painter, pointer);
+        if in_picture != self.focus.in_picture {
+            self.focus.in_picture = in_picture;
+            self.bring = in_picture.filter(|id| !self.focus.in_sight.contains(id));
+            painter.ctx().request_repaint();
+        }
+    }
+}
+
+/// The rays that the filter lets through.
+fn rows(traced: &Traced, filter: &Filter, order: Order) -> Vec<u32> {
+    let all: &mut dyn Iterator<Item = u32> = match order {
+        Order::Tree => &mut (0..traced.tree.rays.len() as u32),
+        Order::Strongest => &mut traced.strongest.iter().copied(),
+    };
+    all.filter(|&id| filter.admits(traced, id)).collect()
 }

@@ -76,7 +76,7 @@ pub fn meet_bodies(scene: &PackedScene, ray: &Ray, limit: f32, any: bool) -> Hit
             continue;
         }
         for slot in node.first..node.first + node.primitive_count {
-            let hit = meet_instance(scene, ray, scene.top_order[slot as usize], nearest.distance);
+            let hit = meet_instance(scene, ray, scene.words[slot as usize], nearest.distance);
             if hit.distance < nearest.distance {
                 nearest = hit;
                 if any {

@@ -30,6 +30,20 @@ pub struct TraceRules {
     pub padding: u32,
 }
 
+/// What becomes of a ray that is sent on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u32)]
+pub enum Fate {
+    /// It waits to be followed.
+    Kept,
+    /// Its significance is below the threshold: it is pruned.
+    TooWeak,
+    /// It has met too many interfaces: it is cut off.
+    TooDeep,
+    /// Too many rays wait already: it is cut off.
+    TooMany,
+}
+
 /// Counts of one camera ray; energies in units of the camera ray's.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Tally {
@@ -121,16 +135,14 @@ impl<'a> Walk<'a> {
     /// Puts a ray on the stack, or into the books where it is too weak, too deep or too much.
     #[inline]
     pub fn send(&mut self, ray: &Ray) {
-        let significance = ray.significance * transmittance_bound(self.scene, ray);
-        let is_weak = significance < self.rules.significance_threshold;
-        let is_too_much = ray.depth > self.rules.max_depth || self.stack.count == STACK_LEN;
-        if !is_weak && !is_too_much {
+        let fate = fate_of(self.scene, self.rules, ray, self.stack.count as u32);
+        if fate == Fate::Kept {
             self.stack.rays[self.stack.count] = *ray;
             self.stack.count += 1;
             return;
         }
         let energy = self.retire(ray);
-        if is_weak {
+        if fate == Fate::TooWeak {
             self.tally.pruned += energy;
         } else {
             self.tally.cut_off += energy;
@@ -145,4 +157,19 @@ impl<'a> Walk<'a> {
         self.tally.absorbed += energy * (1.0 - kept);
         energy * kept
     }
+}
+
+/// What becomes of a ray that is sent on while `waiting` others wait.
+#[inline]
+pub fn fate_of(scene: &PackedScene, rules: &TraceRules, ray: &Ray, waiting: u32) -> Fate {
+    if ray.significance * transmittance_bound(scene, ray) < rules.significance_threshold {
+        return Fate::TooWeak;
+    }
+    if ray.depth > rules.max_depth {
+        return Fate::TooDeep;
+    }
+    if waiting == STACK_LEN as u32 {
+        return Fate::TooMany;
+    }
+    Fate::Kept
 }

@@ -16,7 +16,9 @@ use std::fmt::Write as _;
 pub use frame::Frame;
 
 use crate::kernel::mesh::Sides;
+use crate::kernel::walk::Fate;
 use crate::kernel::{interface, intersect, mesh, ray, rng, spread, walk};
+use crate::material::Outside;
 use crate::packed;
 use crate::spectrum::{LAMBDA_MAX_NM, LAMBDA_MIN_NM};
 
@@ -51,6 +53,8 @@ pub const KERNEL: &[ShaderModule] = modules![
     "walk",
     "deposit",
     "lights",
+    "passage",
+    "print",
     "diffuse",
     "fork",
     "trace",
@@ -121,6 +125,7 @@ fn kernel_constants() -> String {
         ("TOUCHING_MM", F32(ray::TOUCHING_MM)),
         ("PIXEL_STEPS", Vec2U(rng::PIXEL_STEPS)),
         ("LIGHT_STEPS", Vec2U(rng::LIGHT_STEPS)),
+        ("WAVELENGTH_STEP", U32(rng::WAVELENGTH_STEP)),
         ("MIDDLE", U32(rng::MIDDLE)),
         ("MAX_SUBRAYS", U32(spread::MAX_SUBRAYS)),
         ("BISECTIONS", U32(interface::BISECTIONS)),
@@ -132,6 +137,13 @@ fn kernel_constants() -> String {
         ("SIDES_BOTH", U32(Sides::Both as u32)),
         ("TOP_STACK", U32(intersect::TOP_STACK as u32)),
         ("NUDGE", F32(intersect::NUDGE)),
+        ("OUTSIDE_BARE", U32(Outside::Bare as u32)),
+        ("OUTSIDE_REPEAT", U32(Outside::Repeat as u32)),
+        ("OUTSIDE_MIRROR", U32(Outside::Mirror as u32)),
         ("STACK_LEN", U32(walk::STACK_LEN as u32)),
+        ("FATE_KEPT", U32(Fate::Kept as u32)),
+        ("FATE_TOO_WEAK", U32(Fate::TooWeak as u32)),
+        ("FATE_TOO_DEEP", U32(Fate::TooDeep as u32)),
+        ("FATE_TOO_MANY", U32(Fate::TooMany as u32)),
     ])
 }

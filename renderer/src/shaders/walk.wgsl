@@ -46,16 +46,14 @@ fn pop() -> Ray {
 
 // Puts a ray on the stack, or into the books where it is too weak, too deep or too much.
 fn send(ray: Ray) {
-    let significance = ray.significance * transmittance_bound(ray);
-    let is_weak = significance < frame.rules.significance_threshold;
-    let is_too_much = ray.depth > frame.rules.max_depth || walk.stack_count == STACK_LEN;
-    if !is_weak && !is_too_much {
+    let fate = fate_of(ray, walk.stack_count);
+    if fate == FATE_KEPT {
         stack[walk.walker * STACK_LEN + walk.stack_count] = ray;
         walk.stack_count++;
         return;
     }
     let energy = retire(ray);
-    if is_weak {
+    if fate == FATE_TOO_WEAK {
         walk.tally.pruned += energy;
     } else {
         walk.tally.cut_off += energy;
@@ -68,4 +66,18 @@ fn retire(ray: Ray) -> f32 {
     let kept = mean_transmittance(ray);
     walk.tally.absorbed += energy * (1.0 - kept);
     return energy * kept;
+}
+
+// What becomes of a ray that is sent on while `waiting` others wait.
+fn fate_of(ray: Ray, waiting: u32) -> u32 {
+    if ray.significance * transmittance_bound(ray) < frame.rules.significance_threshold {
+        return FATE_TOO_WEAK;
+    }
+    if ray.depth > frame.rules.max_depth {
+        return FATE_TOO_DEEP;
+    }
+    if waiting == STACK_LEN {
+        return FATE_TOO_MANY;
+    }
+    return FATE_KEPT;
 }

@@ -152,13 +152,6 @@ fn pixel_statistics(tally: &Tally) -> Statistics {
         camera_rays: 1,
         segments: u64::from(tally.segments),
         max_segments_per_camera_ray: tally.segments,
-        ledger: Ledger {
-            entered: 1.0,
-            returned: f64::from(tally.returned),
-            absorbed: f64::from(tally.absorbed),
-            pruned: f64::from(tally.pruned),
-            cut_off: f64::from(tally.cut_off),
-            lost: f64::from(tally.lost),
-        },
+        ledger: Ledger::of_tally(tally),
     }
 }

@@ -109,7 +109,7 @@ impl View {
 }
 
 /// The rules by which the settings want rays followed.
-fn rules(view: &View, settings: &TraceSettings) -> TraceRules {
+pub(crate) fn rules(view: &View, settings: &TraceSettings) -> TraceRules {
     TraceRules {
         observer: view.observer,
         split_count: settings.split_count,

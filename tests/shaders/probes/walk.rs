@@ -1,7 +1,7 @@
 //! The stack and the books.
 
 use brilliance_renderer::kernel::ray::Ray;
-use brilliance_renderer::kernel::walk::STACK_LEN;
+use brilliance_renderer::kernel::walk::{STACK_LEN, fate_of};
 use brilliance_renderer::packed::NONE;
 
 use crate::probe::{Case, Dice, EXACT, Probe, Table, Tolerance, World, throw};
@@ -126,6 +126,22 @@ fn books() -> Vec<Probe> {
             },
             cases: |world| rays_to_send(world, 1),
             tolerance: ENERGY,
+        },
+        Probe {
+            name: "fate_of",
+            wgsl: "put_u32(fate_of(take_ray(), take_u32()));",
+            rust: |world, take, put| {
+                let (ray, waiting) = (take.ray(), take.u32());
+                put.u32(fate_of(&world.scene, &world.rules, &ray, waiting) as u32);
+            },
+            cases: |world| {
+                let full = STACK_LEN as u32;
+                throw(400, |dice| {
+                    let waiting = dice.pick(&[0, 1, full - 1, full]);
+                    Case::new().ray(&ray_to_send(world, dice)).u32(waiting)
+                })
+            },
+            tolerance: EXACT,
         },
     ]
 }

@@ -1,0 +1,80 @@
+//! Rays, surfaces and lights in words, for people.
+
+use brilliance_renderer::inspect::{InterfaceEvent, LightKind, Limit, RayEnd, RayKind, SeenLight};
+
+/// How a ray came to be, in a word or two.
+pub(crate) fn kind(kind: RayKind) -> &'static str {
+    match kind {
+        RayKind::Camera => "camera",
+        RayKind::Refracted => "refracted",
+        RayKind::Reflected => "reflected",
+        RayKind::TotallyReflected => "totally reflected",
+    }
+}
+
+/// What ended a ray.
+pub(crate) fn end(end: &RayEnd) -> String {
+    match end {
+        RayEnd::Interface(event) => event.surface.to_string(),
+        RayEnd::Lights { lights, observer_shadow } => {
+            let seen: Vec<_> = lights.iter().map(seen_light).collect();
+            format!("{}{}", seen.join(", "), shadow(*observer_shadow))
+        }
+        RayEnd::Backdrop => "backdrop".to_owned(),
+        RayEnd::Dark { observer_shadow } => format!("dark{}", shadow(*observer_shadow)),
+        RayEnd::Matte { surface } => format!("{surface} (matte)"),
+        RayEnd::Pruned => "pruned".to_owned(),
+        RayEnd::CutOff { limit: Limit::Depth } => "cut off: too deep".to_owned(),
+        RayEnd::CutOff { limit: Limit::Stack } => "cut off: too many rays wait".to_owned(),
+        RayEnd::Lost => "lost through a mesh".to_owned(),
+        RayEnd::Unrecorded => "not recorded further".to_owned(),
+    }
+}
+
+/// What an interface did to a ray: angles, indices, coefficients.
+pub(crate) fn interface(event: &InterfaceEvent) -> String {
+    let InterfaceEvent { incidence_degrees, n_before, n_after, .. } = event;
+    let indices = format!("n {n_before:.4} to {n_after:.4}");
+    let mut words = match event.refraction_degrees {
+        Some(refraction_degrees) => vec![
+            format!("at {incidence_degrees:.2}° to {refraction_degrees:.2}°"),
+            indices,
+            format!("R {:.4}, T {:.4}", event.reflectance, event.transmittance),
+        ],
+        None => vec![format!("at {incidence_degrees:.2}°"), "totally reflected".into(), indices],
+    };
+    if let Some(dividing_nm) = event.dividing_nm {
+        words.push(format!("total reflection divided at {dividing_nm:.2} nm"));
+    }
+    if event.subrays > 1 {
+        words.push(format!("{} sub-rays", event.subrays));
+    }
+    words.join(", ")
+}
+
+fn seen_light(seen: &SeenLight) -> String {
+    let name = match seen.light {
+        LightKind::Lamp => format!("lamp {}", seen.name),
+        LightKind::Hemisphere | LightKind::Environment => seen.name.to_string(),
+    };
+    if seen.overlap >= 1.0 { name } else { format!("{name} ({})", percent(seen.overlap)) }
+}
+
+fn shadow(observer_shadow: f32) -> String {
+    if observer_shadow > 0.0 {
+        format!(", observer's shadow ({})", percent(observer_shadow))
+    } else {
+        String::new()
+    }
+}
+
+/// A part of a whole.
+pub(crate) fn percent(part: f32) -> String {
+    let percent = 100.0 * part;
+    let decimals = match percent {
+        0.0 | 100.0 => 0,
+        1.0.. => 2,
+        _ => 3,
+    };
+    format!("{percent:.decimals$} %")
+}

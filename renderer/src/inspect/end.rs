@@ -1,0 +1,226 @@
+//! What ends a ray, read with the kernel's own functions.
+
+use serde::Serialize;
+
+use super::names::{Name, Names, Surface};
+use crate::kernel::fork::{interface_at, medium_beyond};
+use crate::kernel::interface::{
+    cos_refracted_squared, fresnel, index_of_refraction, relative_index,
+};
+use crate::kernel::intersect::{find_intersection, nudge_inwards};
+use crate::kernel::lights::{Cone, disc_cone, is_far_off, overlap_amount, overlap_hemisphere};
+use crate::kernel::ray::{Hit, Ray};
+use crate::kernel::trace::{is_lost, meets_opaque};
+use crate::kernel::walk::TraceRules;
+use crate::packed::{NONE, PackedScene};
+
+/// What a ray came to.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum RayEnd {
+    /// A smooth interface, where it became other rays.
+    Interface(InterfaceEvent),
+    /// Lights, which its fan covers at least in part.
+    Lights {
+        /// The lights, lamps first.
+        lights: Vec<SeenLight>,
+        /// The part of the fan, in 0..=1, that the observer's shadow takes from the sky.
+        observer_shadow: f32,
+    },
+    /// The backdrop, which only a camera ray sees.
+    Backdrop,
+    /// No surface and no light.
+    Dark {
+        /// The part of the fan, in 0..=1, that the observer's shadow takes from the sky.
+        observer_shadow: f32,
+    },
+    /// A matte surface, which shows how it is lit.
+    Matte {
+        /// Where.
+        surface: Surface,
+    },
+    /// It was too weak to be followed.
+    Pruned,
+    /// It was strong enough to be followed, but for a limit.
+    CutOff {
+        /// Which.
+        limit: Limit,
+    },
+    /// It slipped through a mesh.
+    Lost,
+    /// It was followed, but the record was full: what came of it is in the totals only.
+    Unrecorded,
+}
+
+/// What cuts off a ray that is not weak.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Limit {
+    /// The number of interfaces (`trace.max_depth`).
+    Depth,
+    /// The number of rays that can wait.
+    Stack,
+}
+
+/// A ray's meeting with an interface. Angles, indices and coefficients are those of the wavelength in
+/// the middle of its interval.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct InterfaceEvent {
+    /// Where.
+    pub surface: Surface,
+    /// Angle of incidence in degrees, 0..=90.
+    pub incidence_degrees: f32,
+    /// Angle of refraction in degrees; none beyond the critical angle.
+    pub refraction_degrees: Option<f32>,
+    /// Index of refraction of the medium that the ray comes from.
+    pub n_before: f32,
+    /// Index of refraction of the medium beyond.
+    pub n_after: f32,
+    /// Fresnel reflectance for unpolarised light, 0..=1; 1 beyond the critical angle.
+    pub reflectance: f32,
+    /// 1 − reflectance.
+    pub transmittance: f32,
+    /// Sub-rays that what is not totally reflected was divided into; 0 where all is.
+    pub subrays: u32,
+    /// The wavelength in nm that divides total reflection from refraction, where that lies within
+    /// the ray's interval.
+    pub dividing_nm: Option<f32>,
+}
+
+/// The kinds of light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum LightKind {
+    /// A disc.
+    Lamp,
+    /// The hemispherical light.
+    Hemisphere,
+    /// The light from everywhere.
+    Environment,
+}
+
+/// A light that a ray sees.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SeenLight {
+    /// What it is.
+    pub light: LightKind,
+    /// The lamp's name.
+    pub name: Name,
+    /// The part of the ray's fan, in 0..=1, that the light fills.
+    pub overlap: f32,
+}
+
+/// The next surface along a ray, as the kernel's `follow` finds it, and the ray as it was when it
+/// found it.
+pub(super) fn meet(scene: &PackedScene, ray: &Ray) -> (Ray, Hit) {
+    let hit = find_intersection(scene, ray);
+    if !is_lost(ray, &hit) {
+        return (*ray, hit);
+    }
+    let nudged = nudge_inwards(scene, ray);
+    (nudged, find_intersection(scene, &nudged))
+}
+
+/// What a ray came to that ends at `hit`; `children` are the rays that it became.
+pub(super) fn read_end(
+    scene: &PackedScene,
+    rules: &TraceRules,
+    names: &mut Names,
+    ray: &Ray,
+    hit: &Hit,
+    children: &[Ray],
+) -> RayEnd {
+    if is_lost(ray, hit) {
+        return RayEnd::Lost;
+    }
+    let Some(surface) = names.surface(hit.instance, hit.facet) else {
+        return see_lights(scene, rules, names, ray);
+    };
+    if meets_opaque(scene, hit) {
+        return RayEnd::Matte { surface };
+    }
+    RayEnd::Interface(read_interface(scene, surface, ray, hit, children))
+}
+
+fn read_interface(
+    scene: &PackedScene,
+    surface: Surface,
+    ray: &Ray,
+    hit: &Hit,
+    children: &[Ray],
+) -> InterfaceEvent {
+    let at = interface_at(scene, ray, hit);
+    let central_nm = 0.5 * (ray.lambda_low_nm + ray.lambda_high_nm);
+    let eta = relative_index(scene, &at, central_nm);
+    let cos_i = (-ray.direction.dot(at.normal)).clamp(0.0, 1.0);
+    let cos_t_squared = cos_refracted_squared(cos_i, eta);
+    let is_refracted = cos_i > 0.0 && cos_t_squared > 0.0;
+    let cos_t = cos_t_squared.max(0.0).sqrt();
+    let reflectance = if is_refracted { fresnel(cos_i, cos_t, eta) } else { 1.0 };
+    // What is totally reflected is sent first, and alone keeps all of its significance.
+    let total = children.first().filter(|child| child.significance == ray.significance);
+    let dividing_nm = total.and_then(|total| {
+        if total.lambda_high_nm < ray.lambda_high_nm {
+            Some(total.lambda_high_nm)
+        } else if total.lambda_low_nm > ray.lambda_low_nm {
+            Some(total.lambda_low_nm)
+        } else {
+            None
+        }
+    });
+    let beyond = medium_beyond(ray, hit);
+    let subrays = children.iter().filter(|child| child.medium == beyond).count() as u32;
+    InterfaceEvent {
+        surface,
+        incidence_degrees: cos_i.acos().to_degrees(),
+        refraction_degrees: is_refracted.then(|| cos_t.min(1.0).acos().to_degrees()),
+        n_before: index_of_refraction(scene, at.medium_from, central_nm),
+        n_after: index_of_refraction(scene, at.medium_to, central_nm),
+        reflectance,
+        transmittance: 1.0 - reflectance,
+        subrays,
+        dividing_nm,
+    }
+}
+
+/// What the kernel's `ray_light` shows the ray.
+fn see_lights(scene: &PackedScene, rules: &TraceRules, names: &Names, ray: &Ray) -> RayEnd {
+    let sky = &scene.sky;
+    if ray.depth == 0 && sky.backdrop != NONE {
+        return RayEnd::Backdrop;
+    }
+    let part_of = |cone: &Cone| {
+        if is_far_off(ray, ray.spread.length(), cone) { 0.0 } else { overlap_amount(ray, cone) }
+    };
+    let mut observer_shadow = 0.0;
+    if sky.sin_squared_observer_shadow > 0.0 {
+        observer_shadow = part_of(&Cone {
+            center: rules.observer,
+            cos_radius: sky.cos_observer_shadow,
+            sin_squared_radius: sky.sin_squared_observer_shadow,
+        });
+    }
+    let visible = 1.0 - observer_shadow;
+    let lamps = scene.discs.iter().enumerate().map(|(i, disc)| SeenLight {
+        light: LightKind::Lamp,
+        name: names.lamp(i),
+        overlap: part_of(&disc_cone(disc)),
+    });
+    let environment = (sky.environment != NONE).then(|| SeenLight {
+        light: LightKind::Environment,
+        name: names.environment.clone(),
+        overlap: visible,
+    });
+    let hemisphere = (sky.hemisphere != NONE).then(|| SeenLight {
+        light: LightKind::Hemisphere,
+        name: names.hemisphere.clone(),
+        overlap: visible * overlap_hemisphere(ray),
+    });
+    let all = lamps.chain(environment).chain(hemisphere);
+    let lights: Vec<_> = all.filter(|seen| seen.overlap > 0.0).collect();
+    if lights.is_empty() {
+        RayEnd::Dark { observer_shadow }
+    } else {
+        RayEnd::Lights { lights, observer_shadow }
+    }
+}

@@ -1,0 +1,16 @@
+//! Seeing why a pixel looks as it does: the recorded tree of its camera ray.
+//!
+//! The tree is not traced by a second tracer. [`RayTree::trace`] makes the picture's own walk, ray by
+//! ray, and looks over its shoulder: before each ray is followed by the rules, it is followed once
+//! more on a walk beside it that keeps all rays, so that those which the rules prune are seen too.
+
+mod end;
+mod names;
+mod recorder;
+mod request;
+mod tree;
+
+pub use end::{InterfaceEvent, LightKind, Limit, RayEnd, SeenLight};
+pub use names::{Name, Surface};
+pub use request::RayTreeRequest;
+pub use tree::{RayKind, RayTree, RecordedRay};
