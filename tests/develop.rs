@@ -1,7 +1,9 @@
 //! From film to display, against what is published and what must hold.
 
 use brilliance_renderer::color;
-use brilliance_renderer::develop::{ColorPath, CountImage, GamutFault, HeatMap, NOTHING, XyzImage};
+use brilliance_renderer::develop::{
+    ColorPath, CountImage, GamutFault, HeatMap, NOTHING, XyzImage, brightest_srgb8,
+};
 use brilliance_renderer::film::{Counts, Film};
 use brilliance_renderer::settings::{DisplaySettings, ToneCurve, WhitePoint};
 use brilliance_renderer::spectrum::{Bins, Illuminant, Observer, Spectrum};
@@ -328,4 +330,20 @@ fn a_colour_that_is_too_bright_is_told_from_one_that_is_too_pure() {
     assert!(gray.uv_prime < 1e-3, "white it was: {gray:?}");
     let sparkle = shift([9.0, 0.5, 0.5]);
     assert_eq!((sparkle.fault, sparkle.towards_white), (GamutFault::BeyondWhite, 1.0));
+}
+
+#[test]
+fn the_brightest_of_a_chromaticity_is_on_the_edge_of_the_gamut() {
+    let xyz = |rgb: DVec3| color::xyz_from_rec709() * rgb;
+    assert_eq!(brightest_srgb8(0.3 * color::d65_white()), [255; 3]);
+    for level in [1e-4, 1.0, 1e4] {
+        assert_eq!(brightest_srgb8(level * xyz(DVec3::X)), [255, 0, 0]);
+        assert_eq!(brightest_srgb8(level * xyz(DVec3::Z)), [0, 0, 255]);
+    }
+    for lambda_nm in (380..=730).step_by(10).map(f64::from) {
+        let code = brightest_srgb8(Observer::color_matching_at(lambda_nm));
+        assert_eq!(code.iter().max(), Some(&255), "{lambda_nm}: {code:?}");
+        assert_eq!(code.iter().min(), Some(&0), "{lambda_nm}: {code:?}");
+    }
+    assert_eq!(brightest_srgb8(DVec3::ZERO), [0; 3]);
 }

@@ -21,6 +21,7 @@ use super::arguments::within;
 use super::assignment::Assignment;
 use super::backend::BackendChoice;
 use super::image_size::ImageSize;
+use super::pixel::Pixel;
 use super::progress::Progress;
 use super::render::{cancelled_by_ctrl_c, check_film, open_graphics};
 use crate::spectrum_csv::{Column, spectrum_csv};
@@ -33,8 +34,8 @@ pub(super) struct SpectrumArguments {
     scene: PathBuf,
 
     /// Column and row of the pixel, counted from 0 at the upper left corner
-    #[arg(long, value_name = "X,Y", value_parser = parse_pixel)]
-    pixel: Option<PixelRect>,
+    #[arg(long, value_name = "X,Y")]
+    pixel: Option<Pixel>,
 
     /// Column and row of the first pixel of a region, its width and its height, in pixels
     #[arg(long, value_name = "X,Y,W,H", value_parser = parse_region)]
@@ -66,7 +67,8 @@ pub(super) fn spectrum(arguments: &SpectrumArguments) -> anyhow::Result<()> {
     let document = open(arguments)?;
     check_film(&document)?;
     let size = document.still.size;
-    let place = arguments.pixel.or(arguments.region).context("no pixel and no region")?;
+    let pixel = arguments.pixel.map(|Pixel(min)| PixelRect { min, size: [1, 1] });
+    let place = pixel.or(arguments.region).context("no pixel and no region")?;
     ensure!(
         place.within(size) == Some(place),
         "{} lies outside of the picture of {}x{} pixels; columns and rows count from 0",
@@ -186,12 +188,6 @@ fn described(place: PixelRect) -> String {
     }
 }
 
-fn parse_pixel(text: &str) -> Result<PixelRect, String> {
-    let [x, y] = numbers(text)
-        .ok_or("give the pixel's column and row with a comma between, such as 320,200")?;
-    Ok(PixelRect { min: [x, y], size: [1, 1] })
-}
-
 fn parse_region(text: &str) -> Result<PixelRect, String> {
     let [x, y, width, height] = numbers(text)
         .filter(|[_, _, width, height]| *width > 0 && *height > 0)
@@ -211,15 +207,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn pixels_and_regions_are_read() {
-        let pixel = PixelRect { min: [320, 200], size: [1, 1] };
-        assert_eq!(parse_pixel("320, 200"), Ok(pixel));
+    fn regions_are_read() {
         let region = PixelRect { min: [0, 7], size: [40, 3] };
         assert_eq!(parse_region("0,7,40,3"), Ok(region));
-        for text in ["", "3", "3,4,5", "-1,2", "1.5,2"] {
-            assert!(parse_pixel(text).is_err(), "{text}");
-        }
-        for text in ["3,4", "1,2,0,4", "1,2,3,4,5"] {
+        for text in ["", "3,4", "1,2,0,4", "1,2,3,4,5", "-1,2,3,4", "1.5,2,3,4"] {
             assert!(parse_region(text).is_err(), "{text}");
         }
     }

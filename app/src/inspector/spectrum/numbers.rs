@@ -69,16 +69,18 @@ impl Seen {
             if a.is_finite() && b.is_finite() { format!("{a:.4}, {b:.4}") } else { String::new() }
         };
         let dominant = self.dominant.map_or_else(Default::default, |dominant| {
-            let kind = if dominant.is_complementary { " (complementary)" } else { "" };
+            let kind = if dominant.is_complementary { ", compl." } else { "" };
             format!("{:.0} nm{kind}", dominant.lambda_nm)
         });
         let purity =
             self.dominant.map_or_else(Default::default, |it| format!("{:.0} %", 100.0 * it.purity));
         vec![
-            ("X, Y, Z", xyz.to_array().map(significant).join("  ")),
+            ("X", significant(xyz.x)),
+            ("Y", significant(xyz.y)),
+            ("Z", significant(xyz.z)),
             ("x, y", pair(color::xy(xyz).to_array())),
             ("u', v'", pair(color::uv_prime(xyz).to_array())),
-            ("Dominant wavelength", dominant),
+            ("Dominant \u{3bb}", dominant),
             ("Purity", purity),
             ("RGB wanted", triple(self.path.toned)),
             ("RGB shown", triple(self.path.shown)),
@@ -126,7 +128,8 @@ pub(super) fn swatches_ui(ui: &mut Ui, seen: &Seen) {
 /// A table of the numbers, beside those of the colour that was kept.
 pub(super) fn numbers_ui(ui: &mut Ui, seen: &Seen, kept: Option<&Seen>) {
     let kept_lines = kept.map(Seen::lines);
-    Grid::new("numbers of the colour").num_columns(3).spacing(vec2(16.0, 3.0)).show(ui, |ui| {
+    let grid = Grid::new("numbers of the colour").num_columns(3).spacing(vec2(16.0, 3.0));
+    grid.min_row_height(16.0).show(ui, |ui| {
         if kept.is_some() {
             ui.label("");
             ui.label(RichText::new("Picked").color(theme::TEXT_WEAK));
