@@ -9,6 +9,7 @@ mod intersection;
 mod lights;
 mod matte;
 mod poison;
+mod prints;
 mod prism;
 mod scenes;
 mod slab;
