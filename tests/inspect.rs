@@ -39,6 +39,7 @@ fn all_cases() -> Vec<Case> {
     vec![
         cases::diamond(),
         cases::beam(),
+        cases::print(),
         cases::seven_diamonds(),
         cases::mesh(),
         cases::prism(),

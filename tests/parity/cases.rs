@@ -129,6 +129,14 @@ pub(crate) fn beam() -> Case {
     Case { passes: 4, ..Case::new("beam", document) }
 }
 
+/// The word, and its image through a prism.
+pub(crate) fn print() -> Case {
+    let mut document = asset("scenes/prism-word.toml");
+    document.trace.split_count = 1.0;
+    document.trace.significance_threshold = 0.05;
+    Case::new("print", document)
+}
+
 pub(crate) fn furnace() -> Case {
     Case::new("furnace", asset("scenes/furnace.toml"))
 }

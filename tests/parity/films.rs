@@ -167,6 +167,11 @@ fn beam_through_a_prism() {
 }
 
 #[test]
+fn word_and_prism() {
+    assert_in_step(&cases::print(), &TRACER);
+}
+
+#[test]
 fn coloured_stones_in_each_other_and_beside_a_matte_block() {
     let (cpu, _) = assert_in_step(&cases::nested(), &TRACER);
     assert!(cpu.ledger.absorbed > 0.05 * cpu.ledger.entered, "the case absorbs: {cpu:?}");

@@ -11,6 +11,7 @@ mod lights;
 mod matte;
 mod passages;
 mod poison;
+mod prints;
 mod prism;
 mod scenes;
 mod slab;

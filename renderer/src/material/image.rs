@@ -155,6 +155,53 @@ mod tests {
         assert!(Image::of_library("prism").is_none());
     }
 
+    /// The bytes of a file with these pixels.
+    fn file(pixels: &DynamicImage, format: ImageFormat) -> Vec<u8> {
+        let mut bytes = Cursor::new(Vec::new());
+        pixels.write_to(&mut bytes, format).expect("the image is encoded");
+        bytes.into_inner()
+    }
+
+    fn decode(bytes: &[u8]) -> Result<Image, String> {
+        Image::decode(ImageOrigin::Mesh("test".to_owned()), bytes)
+    }
+
+    #[test]
+    fn grey_and_coloured_images_of_8_and_16_bits_are_read() {
+        use ::image::{GrayAlphaImage, ImageBuffer, Luma, LumaA, Rgb, RgbImage};
+        let rgb = RgbImage::from_fn(2, 3, |x, y| Rgb([10 * x as u8, 20 * y as u8, 200]));
+        let read = decode(&file(&rgb.into(), ImageFormat::Png)).expect("it is read");
+        assert_eq!(read.size, [2, 3]);
+        assert_eq!(read.texels[3], 0xc8_14_0a, "second row, second column");
+        let grey16: ImageBuffer<Luma<u16>, Vec<u16>> =
+            ImageBuffer::from_pixel(1, 1, Luma([0x8080]));
+        let read = decode(&file(&grey16.into(), ImageFormat::Png)).expect("it is read");
+        assert_eq!(read.texels, [0x80_80_80]);
+        let clear = GrayAlphaImage::from_pixel(1, 1, LumaA([0, 0]));
+        let read = decode(&file(&clear.into(), ImageFormat::Png)).expect("it is read");
+        assert_eq!(read.texels, [0xff_ff_ff]);
+        let rgb = RgbImage::from_pixel(16, 8, Rgb([200, 100, 50]));
+        let read = decode(&file(&rgb.into(), ImageFormat::Jpeg)).expect("it is read");
+        assert_eq!(read.size, [16, 8]);
+        let [red, green, blue, _] = read.texels[9].to_le_bytes();
+        assert!(red.abs_diff(200) < 4 && green.abs_diff(100) < 4 && blue.abs_diff(50) < 4);
+    }
+
+    #[test]
+    fn what_is_no_image_is_refused_in_words() {
+        let png = file(&DynamicImage::new_luma8(40, 30), ImageFormat::Png);
+        for bytes in [&b"P6 not read"[..], b"", &png[..4]] {
+            assert!(decode(bytes).expect_err("no image").contains("neither PNG nor JPEG"));
+        }
+        for length in 8..png.len() - 12 {
+            assert!(decode(&png[..length]).expect_err("cut off").contains("broken"));
+        }
+        let wide = file(&DynamicImage::new_luma8(Image::MAX_SIDE + 1, 1), ImageFormat::Png);
+        assert!(decode(&wide).expect_err("too wide").contains("8192 × 8192"));
+        let widest = file(&DynamicImage::new_luma8(Image::MAX_SIDE, 1), ImageFormat::Png);
+        assert_eq!(decode(&widest).expect("it is read").size, [8192, 1]);
+    }
+
     #[test]
     fn what_is_transparent_shows_white() {
         assert_eq!(texel_on_white([1, 2, 3, 255]), 0x03_02_01);

@@ -1,13 +1,14 @@
 //! Prints in a scene file: images on matte surfaces.
 
 use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use glam::Vec3;
 use serde::{Deserialize, Serialize};
 
-use super::check::{choose, exactly_one, positive, unit_vector};
+use super::check::{choose, exactly_one, in_range, unit_vector};
 use super::fault::{Fault, Under, quoted, suggestion};
 use super::path::relative;
 use crate::material::{Image, ImageOrigin, Layout, Outside, Planar, Print};
@@ -36,6 +37,9 @@ const OUTSIDES: [(&str, Outside); 4] = [
     ("repeat", Outside::Repeat),
     ("mirror", Outside::Mirror),
 ];
+
+/// Allowed width and height, in millimetres.
+const SIDE_MM: RangeInclusive<f32> = 1e-3..=1e6;
 
 /// The image files of one scene, each read once.
 pub(super) struct ImageFiles<'a> {
@@ -100,12 +104,16 @@ impl PrintEntry {
                 return Err(Fault::at("width_mm", "this key is missing; or give `height_mm`"));
             }
         };
-        positive("width_mm", size_mm[0])?;
-        positive("height_mm", size_mm[1])?;
+        in_range("width_mm", size_mm[0], &SIDE_MM)?;
+        in_range("height_mm", size_mm[1], &SIDE_MM)?;
         let facing = unit_vector("facing", self.facing.unwrap_or([0.0, 0.0, 1.0]))?;
         // Upwards like +z; seen from above or below, like +y.
         let upright = if facing.z.abs() > 0.999 { Vec3::Y } else { Vec3::Z };
         let up = self.up.map_or(Ok(upright), |up| unit_vector("up", up))?;
+        if facing.dot(up).abs() < 1e-6 {
+            // At right angles already: the bits stay.
+            return Ok(Planar { facing, up, size_mm });
+        }
         let Some(up) = up.as_dvec3().reject_from(facing.as_dvec3()).try_normalize() else {
             return Err(Fault::at("up", "it is parallel to `facing`; turn one of them"));
         };
