@@ -160,8 +160,11 @@ impl Axes {
         ];
         for (function, (name, peak_nm, color)) in curves.into_iter().enumerate() {
             let points = lambdas_nm().step_by(2).map(|lambda_nm| at(function, lambda_nm));
+            let points: Vec<_> = points.collect();
             let color = color.gamma_multiply(0.55);
-            painter.line(points.collect(), Stroke::new(1.2, color));
+            // Dark beside the line, so that it is seen on light of its own colour.
+            painter.line(points.clone(), Stroke::new(3.0, Color32::from_black_alpha(90)));
+            painter.line(points, Stroke::new(1.2, color));
             paint_barred(painter, at(function, peak_nm) - vec2(0.0, 3.0), name, color);
         }
     }
