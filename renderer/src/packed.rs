@@ -5,6 +5,7 @@
 mod bodies;
 mod prints;
 mod spectra;
+mod unwrapped;
 
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec3, Vec4};
@@ -237,7 +238,7 @@ impl PackedScene {
         let mut spectra = spectra::SpectrumRows::new(bins);
         let mut prints = prints::PrintWords::new(scene.objects.len());
         let materials = spectra::pack_materials(scene, &mut spectra, &mut prints)?;
-        let bodies = bodies::pack(scene, &materials.of_object)?;
+        let bodies = bodies::pack(scene, &materials.of_object, &prints)?;
         let discs = spectra::pack_discs(&scene.lights, &mut spectra)?;
         let sky = spectra::pack_sky(&scene.lights, &mut spectra)?;
         let ground = spectra::pack_ground(scene.ground.as_ref(), &mut spectra)?;
