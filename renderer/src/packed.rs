@@ -6,6 +6,7 @@ mod bodies;
 mod passages;
 mod prints;
 mod spectra;
+mod unwrapped;
 
 pub use passages::MAX_PASSAGES;
 
@@ -275,7 +276,7 @@ impl PackedScene {
         let mut spectra = spectra::SpectrumRows::new(bins);
         let mut prints = prints::PrintWords::new(scene.objects.len());
         let materials = spectra::pack_materials(scene, &mut spectra, &mut prints)?;
-        let bodies = bodies::pack(scene, &materials.of_object)?;
+        let bodies = bodies::pack(scene, &materials.of_object, &prints)?;
         let mut discs = spectra::pack_discs(&scene.lights, &mut spectra)?;
         let passages = passages::pack(&mut discs, &bodies.throwers, &materials)?;
         let sky = spectra::pack_sky(&scene.lights, &mut spectra)?;

@@ -1,11 +1,13 @@
 //! Each control changes what it says it changes.
 
 use std::f32::consts::PI;
+use std::path::Path;
 
 use brilliance_renderer::cuts::StandardProportions;
 use brilliance_renderer::light::DiscLight;
 use brilliance_renderer::material::{Dispersion, Material, find};
 use brilliance_renderer::rigs::rigs;
+use brilliance_renderer::scene_file::{Document, scenes};
 use brilliance_renderer::session::RenderRequest;
 use brilliance_renderer::settings::{DisplaySettings, ToneCurve, WhitePoint};
 use eframe::egui::{Event, Key, Modifiers, accesskit::Role, vec2};
@@ -204,6 +206,17 @@ fn every_control_has_a_name() {
     let sliders =
         root.children_recursive().filter(|node| node.accesskit_node().role() == Role::Slider);
     assert!(sliders.count() >= 20);
+}
+
+/// A matte body says what is printed on it.
+#[test]
+fn a_print_is_named_with_its_size() {
+    let scene = scenes().iter().find(|scene| scene.name == "Prism and word").unwrap();
+    let document = Document::from_toml(scene.text, Path::new("")).unwrap();
+    let harness = harness_with(document, None, services());
+    for text in ["The word prism", "70 \u{d7} 35 mm"] {
+        assert!(harness.query_by_label(text).is_some(), "{text}");
+    }
 }
 
 fn dispersion(harness: &AppHarness) -> Dispersion {

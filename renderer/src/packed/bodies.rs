@@ -6,6 +6,7 @@ use std::sync::Arc;
 use glam::{DVec3, Mat3, Vec4};
 
 use super::passages::Polygon;
+use super::prints::PrintWords;
 use super::{BvhNode, CONVEX, Instance, MESH, PLANE_LANES, PackedTriangle};
 use crate::accel::{Bounds, Hierarchy, MAX_DEPTH};
 use crate::error::RendererError;
@@ -36,10 +37,14 @@ pub(super) struct Thrower {
 }
 
 /// Packs the objects; `materials` is the packed material of each.
-pub(super) fn pack(scene: &Scene, materials: &[u32]) -> Result<PackedBodies, RendererError> {
+pub(super) fn pack(
+    scene: &Scene,
+    materials: &[u32],
+    prints: &PrintWords,
+) -> Result<PackedBodies, RendererError> {
     let mut bodies = PackedBodies::default();
     let mut bounds = Vec::with_capacity(scene.objects.len());
-    // A mesh that is printed on by its coordinates is packed apart: its facets are its triangles.
+    // A mesh with an image on it by its coordinates is packed apart: its facets are others.
     let mut mesh_roots = HashMap::new();
     for (object, &material) in scene.objects.iter().zip(materials) {
         check_transform(object)?;
@@ -47,10 +52,11 @@ pub(super) fn pack(scene: &Scene, materials: &[u32]) -> Result<PackedBodies, Ren
         let half_spaces = match &object.shape {
             Shape::Mesh(source) => {
                 check_mesh(object, &source.mesh)?;
-                let is_printed = object.is_printed_by_coordinates();
+                let facets = prints.facets(&source.mesh);
+                let facets = facets.filter(|_| object.is_printed_by_coordinates());
                 let root = *mesh_roots
-                    .entry((Arc::as_ptr(&source.mesh), is_printed))
-                    .or_insert_with(|| bodies.push_mesh(&source.mesh, is_printed));
+                    .entry((Arc::as_ptr(&source.mesh), facets.is_some()))
+                    .or_insert_with(|| bodies.push_mesh(&source.mesh, facets));
                 bounds.push(bodies.push_mesh_instance(root, &source.mesh, object, material));
                 continue;
             }
@@ -146,9 +152,9 @@ impl PackedBodies {
         bounds
     }
 
-    /// Appends the mesh's hierarchy and returns its root node. Where it `is_printed` on, each of its
-    /// triangles is a facet, by whose number its projection is found.
-    fn push_mesh(&mut self, mesh: &Mesh, is_printed: bool) -> u32 {
+    /// Appends the mesh's hierarchy, with other facets than its own where there are any, and returns
+    /// its root node.
+    fn push_mesh(&mut self, mesh: &Mesh, facets: Option<&[u32]>) -> u32 {
         let root = self.nodes.len() as u32;
         let first_triangle = self.triangles.len() as u32;
         let hierarchy = mesh.hierarchy();
@@ -157,11 +163,9 @@ impl PackedBodies {
             BvhNode { first: node.first + offset, ..*node }
         }));
         self.triangles.extend_from_slice(&hierarchy.triangles);
-        if is_printed {
-            for (slot, triangle) in self.triangles[first_triangle as usize..].iter_mut().enumerate()
-            {
-                triangle.facet = slot as u32;
-            }
+        let triangles = &mut self.triangles[first_triangle as usize..];
+        for (triangle, &facet) in triangles.iter_mut().zip(facets.unwrap_or_default()) {
+            triangle.facet = facet;
         }
         root
     }

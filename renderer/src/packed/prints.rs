@@ -4,10 +4,11 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use bytemuck::Zeroable;
-use glam::{DVec2, DVec3, Vec2, Vec3, Vec4};
+use glam::{Vec3, Vec4};
 
 use super::spectra::SpectrumRows;
-use super::{NONE, PackedPrint, PackedTriangle};
+use super::unwrapped::UnwrappedMesh;
+use super::{NONE, PackedPrint};
 use crate::color::srgb_decode;
 use crate::error::RendererError;
 use crate::material::{Image, Layout, Planar, Print};
@@ -30,7 +31,9 @@ pub(super) struct PrintWords {
     /// print.
     shared: Option<(u32, u32)>,
     images: HashMap<*const Image, u32>,
-    coordinates: HashMap<*const Mesh, u32>,
+    /// Of meshes with an image on them: the first word of the projections, and the facet that each
+    /// triangle belongs to.
+    unwrapped: HashMap<*const Mesh, (u32, Vec<u32>)>,
     texel_count: usize,
 }
 
@@ -42,7 +45,7 @@ impl PrintWords {
             words: Vec::new(),
             shared: None,
             images: HashMap::new(),
-            coordinates: HashMap::new(),
+            unwrapped: HashMap::new(),
             texel_count: 0,
         }
     }
@@ -52,6 +55,12 @@ impl PrintWords {
         debug_assert_eq!(order.len(), self.before);
         order.extend(self.words);
         order
+    }
+
+    /// The facet of each triangle in leaf order, for a mesh that has an image on it by its
+    /// coordinates.
+    pub(super) fn facets(&self, mesh: &Arc<Mesh>) -> Option<&[u32]> {
+        self.unwrapped.get(&Arc::as_ptr(mesh)).map(|(_, facets)| facets.as_slice())
     }
 
     /// The number of the word that is pushed next.
@@ -158,18 +167,8 @@ impl PrintWords {
         if source.mesh.coordinates.is_empty() {
             return Err(missing());
         }
-        let key = Arc::as_ptr(&source.mesh);
-        let projection = self.coordinates.get(&key).copied().unwrap_or_else(|| {
-            let first = self.next();
-            let hierarchy = source.mesh.hierarchy();
-            for (triangle, &number) in hierarchy.triangles.iter().zip(&hierarchy.order) {
-                for row in projection(triangle, source.mesh.coordinates[number as usize]) {
-                    self.push_row(row);
-                }
-            }
-            self.coordinates.insert(key, first);
-            first
-        });
+        let known = self.unwrapped.get(&Arc::as_ptr(&source.mesh)).map(|(first, _)| *first);
+        let projection = known.unwrap_or_else(|| self.push_unwrapped(&source.mesh));
         // All of the mesh is printed on, whichever way it faces.
         Ok(PackedPrint {
             front: Vec3::ZERO,
@@ -178,6 +177,16 @@ impl PrintWords {
             projection_stride: PROJECTION_LEN,
             ..PackedPrint::zeroed()
         })
+    }
+
+    fn push_unwrapped(&mut self, mesh: &Arc<Mesh>) -> u32 {
+        let first = self.next();
+        let UnwrappedMesh { facets, projections } = UnwrappedMesh::new(mesh);
+        for row in projections.into_iter().flatten() {
+            self.push_row(row);
+        }
+        self.unwrapped.insert(Arc::as_ptr(mesh), (first, facets));
+        first
     }
 
     fn push_row(&mut self, row: Vec4) {
@@ -189,54 +198,5 @@ impl PackedPrint {
     /// Nothing is printed.
     pub(super) fn none() -> Self {
         Self { texels: NONE, ..Self::zeroed() }
-    }
-}
-
-/// The two rows that give the texture coordinates of a point of the triangle.
-fn projection(triangle: &PackedTriangle, coordinates: [Vec2; 3]) -> [Vec4; 2] {
-    let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(Vec3::as_dvec3);
-    let [at_a, at_b, at_c] = coordinates.map(Vec2::as_dvec2);
-    let (edge_b, edge_c) = (b - a, c - a);
-    let normal = edge_b.cross(edge_c);
-    // Along the triangle: what grows along one edge does not grow along the other.
-    let area_squared = normal.length_squared();
-    let (along_b, along_c) =
-        (edge_c.cross(normal) / area_squared, normal.cross(edge_b) / area_squared);
-    let row = |of: fn(DVec2) -> f64| {
-        let gradient = along_b * (of(at_b) - of(at_a)) + along_c * (of(at_c) - of(at_a));
-        let row = gradient.extend(of(at_a) - gradient.dot(a)).as_vec4();
-        if row.is_finite() { row } else { DVec3::ZERO.extend(of(at_a)).as_vec4() }
-    };
-    [row(|at| at.x), row(|at| at.y)]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn triangle(a: Vec3, b: Vec3, c: Vec3) -> PackedTriangle {
-        PackedTriangle { a, b, c, ..PackedTriangle::zeroed() }
-    }
-
-    #[test]
-    fn a_projection_gives_each_corner_its_coordinates() {
-        let corners =
-            [Vec3::new(1.0, 2.0, 3.0), Vec3::new(-2.0, 0.5, 3.5), Vec3::new(4.0, 1.0, -1.0)];
-        let coordinates = [Vec2::new(0.1, 0.9), Vec2::new(1.5, 0.2), Vec2::new(-0.3, 0.4)];
-        let [a, b, c] = corners;
-        let [u, v] = projection(&triangle(a, b, c), coordinates);
-        for (corner, wanted) in corners.into_iter().zip(coordinates) {
-            let point = corner.extend(1.0);
-            let found = Vec2::new(u.dot(point), v.dot(point));
-            assert!(found.distance(wanted) < 1e-5, "{found} is not {wanted}");
-        }
-    }
-
-    #[test]
-    fn a_triangle_without_area_has_one_coordinate() {
-        let corner = Vec3::new(1.0, 2.0, 3.0);
-        let at = Vec2::new(0.25, 0.75);
-        let [u, v] = projection(&triangle(corner, corner, corner), [at, Vec2::ONE, Vec2::ZERO]);
-        assert_eq!([u, v], [Vec3::ZERO.extend(0.25), Vec3::ZERO.extend(0.75)]);
     }
 }
