@@ -104,6 +104,11 @@ fn faults_in_objects_and_materials() {
             &["line 4", "did you mean `Tolkowsky (1919)`"],
         ),
         (
+            "a matte thrower of light",
+            format!("{stone}material.diffuse = 0.5\nthrows_light = true\n"),
+            &["line 5", "`objects.0.throws_light`", "make it clear"],
+        ),
+        (
             "diffuse glass",
             format!("{stone}material = {{ diffuse = 0.5, n_d = 1.5 }}\n"),
             &["`objects.0.material.n_d`", "clear materials"],

@@ -56,12 +56,18 @@ fn the_start_document_is_the_shipped_diamond() {
 
 #[test]
 fn shipped_scenes_are_read_and_round_trip() {
-    assert_eq!(scenes().len(), 6);
+    assert_eq!(scenes().len(), 9);
     for scene in scenes() {
         let document = read(scene.text).unwrap_or_else(|fault| panic!("{}: {fault}", scene.name));
         assert!(!document.scene.objects.is_empty(), "{}", scene.name);
         assert_round_trip(&document);
     }
+    let throwing: Vec<_> = scenes()
+        .iter()
+        .filter(|scene| read(scene.text).unwrap().scene.objects.iter().any(|it| it.throws_light))
+        .map(|scene| scene.name)
+        .collect();
+    assert_eq!(throwing, ["Beam"], "the key is read, and what is thrown is worth its time");
     let seven = read(scenes()[1].text).unwrap();
     assert_eq!(seven.scene.objects.len(), 7);
     assert_eq!(seven.scene.lights.discs.len(), 9);

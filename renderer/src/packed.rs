@@ -173,10 +173,10 @@ pub struct PackedDisc {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct PackedPassage {
-    /// Center of a sphere about the facet that the light leaves through.
-    pub center: Vec3,
-    /// Radius of that sphere.
-    pub radius: f32,
+    /// Middle of the facet that the light leaves through.
+    pub center_out: Vec3,
+    /// Radius about that middle of a sphere that holds the facet.
+    pub radius_out: f32,
     /// Unit vector along the middle of the directions in which the light is seen from behind.
     pub direction: Vec3,
     /// Cosine of the half-angle of the cone about `direction` that holds them all.
@@ -189,11 +189,15 @@ pub struct PackedPassage {
     pub normal_out: Vec3,
     /// The body.
     pub instance: u32,
+    /// Middle of the facet that the light enters through.
+    pub center_in: Vec3,
+    /// Radius about that middle of a sphere that holds the facet.
+    pub radius_in: f32,
     /// The facet that the light enters through.
     pub facet_in: u32,
     /// The facet that the light leaves through.
     pub facet_out: u32,
-    /// Fills the struct to 80 bytes.
+    /// Fills the struct to 96 bytes.
     pub padding: [u32; 2],
 }
 

@@ -99,8 +99,8 @@ fn rust_layouts() -> Vec<Layout> {
             passage_count, padding
         }
         PackedPassage {
-            center, radius, direction, cos_bound, normal_in, sin_bound, normal_out, instance,
-            facet_in, facet_out, padding
+            center_out, radius_out, direction, cos_bound, normal_in, sin_bound, normal_out,
+            instance, center_in, radius_in, facet_in, facet_out, padding
         }
         PackedGround { height, square, reflectance }
         PackedSky {

@@ -91,6 +91,10 @@ fn switches_and_lists_change_the_request() {
     harness.run_steps(2);
     assert!(!request(&harness).trace.perturb);
 
+    harness.get_by_role_and_label(Role::CheckBox, "Throws light").click();
+    harness.run_steps(2);
+    assert!(request(&harness).scene.objects[0].throws_light);
+
     let had_backdrop = request(&harness).scene.lights.backdrop.is_some();
     harness.get_by_role_and_label(Role::CheckBox, "Plain backdrop").click();
     harness.run_steps(2);

@@ -12,7 +12,7 @@ use crate::kernel::absorption::{bin_range, transmittance};
 use crate::kernel::deposit::{Reflectance, deposit};
 use crate::kernel::interface::{cos_refracted_squared, index_of_refraction, refract};
 use crate::kernel::intersect::{find_intersection, is_occluded};
-use crate::kernel::ray::{Hit, Ray};
+use crate::kernel::ray::{Hit, Ray, TOUCHING_MM};
 use crate::kernel::rng;
 use crate::kernel::walk::Walk;
 use crate::packed::{NONE, PackedPassage, PackedScene};
@@ -79,10 +79,10 @@ pub fn shine_through(
 /// that it leaves is in a cone about the passage's direction, and that cone misses the facet.
 #[inline]
 pub fn is_out_of_reach(passage: &PackedPassage, point: Vec3) -> bool {
-    let way = passage.center - point;
+    let way = passage.center_out - point;
     let along = way.dot(passage.direction);
     let across = way.cross(passage.direction).length();
-    across * passage.cos_bound - along * passage.sin_bound > passage.radius
+    across * passage.cos_bound - along * passage.sin_bound > passage.radius_out
 }
 
 /// What the passage makes of light of `lambda_nm` that comes from the unit direction
@@ -121,6 +121,24 @@ pub fn facet_gain(cos_i: f32, eta: f32) -> f32 {
     2.0 * eta * (parallel * parallel + perpendicular * perpendicular)
 }
 
+/// Whether the way back along the beam from `point` runs through the spheres about both facets: asked
+/// before any ray is traced.
+#[inline]
+pub fn nears_both_facets(passage: &PackedPassage, beam: &Beam, point: Vec3) -> bool {
+    let cos_out = beam.behind.dot(passage.normal_out);
+    let cos_in = -beam.inside.dot(passage.normal_in);
+    let off_out = point - passage.center_out;
+    let height_out = off_out.dot(passage.normal_out);
+    if cos_out <= 0.0 || cos_in <= 0.0 || height_out < -TOUCHING_MM {
+        return false;
+    }
+    let leaves_at = off_out - beam.behind * (height_out / cos_out);
+    let off_in = leaves_at + passage.center_out - passage.center_in;
+    let enters_at = off_in + beam.inside * (off_in.dot(passage.normal_in) / cos_in);
+    leaves_at.length_squared() <= passage.radius_out * passage.radius_out
+        && enters_at.length_squared() <= passage.radius_in * passage.radius_in
+}
+
 /// Goes back along the beam from the surface at `hit` to the light: how much, in 0..=1, the body
 /// lets through in `bin`; 0 where the beam does not come this way.
 #[inline]
@@ -134,8 +152,7 @@ pub fn follow_back(
     bin: u32,
 ) -> f32 {
     let scene = walk.scene;
-    let way = passage.center - ray.origin;
-    if way.dot(beam.behind) > passage.radius || way.cross(beam.behind).length() > passage.radius {
+    if !nears_both_facets(passage, beam, ray.origin) {
         return 0.0;
     }
     let mut back = Ray::white(ray.origin, -beam.behind);

@@ -11,7 +11,6 @@ use glam::Vec3;
 use super::bodies::Thrower;
 use super::spectra::PackedMaterials;
 use super::{PackedDisc, PackedPassage};
-use crate::accel::Bounds;
 use crate::error::RendererError;
 use crate::kernel::diffuse::direction_on_disc;
 use crate::kernel::interface::{cos_refracted_squared, refract};
@@ -37,7 +36,7 @@ const BETWEEN_WAVELENGTHS: f32 = 0.02;
 pub(super) struct Polygon {
     normal: Vec3,
     corners: Vec<Vec3>,
-    /// Of a sphere about the corners.
+    /// On its plane, of a sphere about the corners.
     center: Vec3,
     radius: f32,
 }
@@ -48,7 +47,7 @@ impl Polygon {
         let facets = solid.facets.iter().map(|facet| {
             let corner = |&i: &u32| object.transform.point(solid.vertices[i as usize].as_vec3());
             let corners: Vec<_> = facet.vertices.iter().map(corner).collect();
-            let center = Bounds::of(corners.iter().copied()).center();
+            let center = corners.iter().sum::<Vec3>() / corners.len() as f32;
             let radius = corners.iter().map(|corner| corner.distance(center)).fold(0.0, f32::max);
             let normal = object.transform.direction(facet.half_space.normal.as_vec3());
             // Room for rounding.
@@ -143,14 +142,16 @@ fn add_passages(
             }
             let cone = Cone::behind(&light, exit, ring_step);
             passages.push(PackedPassage {
-                center: exit.center,
-                radius: exit.radius,
+                center_out: exit.center,
+                radius_out: exit.radius,
                 direction: cone.direction,
                 cos_bound: cone.cos_bound,
                 normal_in: entry.normal,
                 sin_bound: cone.sin_bound,
                 normal_out: exit.normal,
                 instance: thrower.instance,
+                center_in: entry.center,
+                radius_in: entry.radius,
                 facet_in: facet_in as u32,
                 facet_out: facet_out as u32,
                 padding: [0; 2],

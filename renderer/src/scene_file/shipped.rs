@@ -9,17 +9,23 @@ pub struct ShippedScene {
     pub text: &'static str,
 }
 
-const SCENES: [ShippedScene; 6] = [
+const SCENES: [ShippedScene; 9] = [
     ShippedScene { name: "Diamond", text: include_str!("../../../assets/scenes/diamond.toml") },
+    ShippedScene { name: "Brilliant", text: include_str!("../../../assets/scenes/brilliant.toml") },
     ShippedScene {
         name: "Seven diamonds",
         text: include_str!("../../../assets/scenes/seven-diamonds.toml"),
     },
-    ShippedScene { name: "Prism", text: include_str!("../../../assets/scenes/prism.toml") },
+    ShippedScene {
+        name: "Five stones",
+        text: include_str!("../../../assets/scenes/five-stones.toml"),
+    },
     ShippedScene {
         name: "Prism and word",
         text: include_str!("../../../assets/scenes/prism-word.toml"),
     },
+    ShippedScene { name: "Beam", text: include_str!("../../../assets/scenes/beam.toml") },
+    ShippedScene { name: "Prism", text: include_str!("../../../assets/scenes/prism.toml") },
     ShippedScene { name: "Slab", text: include_str!("../../../assets/scenes/slab.toml") },
     ShippedScene { name: "Furnace", text: include_str!("../../../assets/scenes/furnace.toml") },
 ];

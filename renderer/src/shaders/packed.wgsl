@@ -59,14 +59,16 @@ struct PackedDisc {
 }
 
 struct PackedPassage {
-    center: vec3f,
-    radius: f32,
+    center_out: vec3f,
+    radius_out: f32,
     direction: vec3f,
     cos_bound: f32,
     normal_in: vec3f,
     sin_bound: f32,
     normal_out: vec3f,
     instance: u32,
+    center_in: vec3f,
+    radius_in: f32,
     facet_in: u32,
     facet_out: u32,
 }

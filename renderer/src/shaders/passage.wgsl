@@ -60,10 +60,10 @@ fn shine_through(
 // Whether no light that comes through the passage can fall on `point`: the way back to the facet
 // that it leaves is in a cone about the passage's direction, and that cone misses the facet.
 fn is_out_of_reach(passage: PackedPassage, point: vec3f) -> bool {
-    let way = passage.center - point;
+    let way = passage.center_out - point;
     let along = dot(way, passage.direction);
     let across = length(cross(way, passage.direction));
-    return across * passage.cos_bound - along * passage.sin_bound > passage.radius;
+    return across * passage.cos_bound - along * passage.sin_bound > passage.radius_out;
 }
 
 // What the passage makes of light of `lambda_nm` that comes from the unit direction
@@ -95,6 +95,23 @@ fn facet_gain(cos_i: f32, eta: f32) -> f32 {
     return 2.0 * eta * (parallel * parallel + perpendicular * perpendicular);
 }
 
+// Whether the way back along the beam from `point` runs through the spheres about both facets: asked
+// before any ray is traced.
+fn nears_both_facets(passage: PackedPassage, beam: Beam, point: vec3f) -> bool {
+    let cos_out = dot(beam.behind, passage.normal_out);
+    let cos_in = -dot(beam.inside, passage.normal_in);
+    let off_out = point - passage.center_out;
+    let height_out = dot(off_out, passage.normal_out);
+    if cos_out <= 0.0 || cos_in <= 0.0 || height_out < -TOUCHING_MM {
+        return false;
+    }
+    let leaves_at = off_out - beam.behind * (height_out / cos_out);
+    let off_in = leaves_at + passage.center_out - passage.center_in;
+    let enters_at = off_in + beam.inside * (dot(off_in, passage.normal_in) / cos_in);
+    return length_squared(leaves_at) <= passage.radius_out * passage.radius_out
+        && length_squared(enters_at) <= passage.radius_in * passage.radius_in;
+}
+
 // Goes back along the beam from the surface at `hit` to the light: how much, in 0..=1, the body
 // lets through in `bin`; 0 where the beam does not come this way.
 fn follow_back(
@@ -105,9 +122,7 @@ fn follow_back(
     towards_light: vec3f,
     bin: u32,
 ) -> f32 {
-    let way = passage.center - ray.origin;
-    if dot(way, beam.behind) > passage.radius
-        || length(cross(way, beam.behind)) > passage.radius {
+    if !nears_both_facets(passage, beam, ray.origin) {
         return 0.0;
     }
     var back = white(ray.origin, -beam.behind);

@@ -4,7 +4,7 @@ use brilliance_renderer::kernel::deposit::Reflectance;
 use brilliance_renderer::kernel::diffuse::direction_on_disc;
 use brilliance_renderer::kernel::interface::index_of_refraction;
 use brilliance_renderer::kernel::passage::{
-    Beam, bend, facet_gain, follow_back, is_out_of_reach, shine_through,
+    Beam, bend, facet_gain, follow_back, is_out_of_reach, nears_both_facets, shine_through,
 };
 use brilliance_renderer::kernel::ray::{Hit, Ray};
 use brilliance_renderer::spectrum::{LAMBDA_MAX_NM, LAMBDA_MIN_NM};
@@ -19,7 +19,8 @@ fn passage() {
 }
 
 pub(super) fn table() -> Table {
-    let probes = vec![shine_through_probe(), reach(), bend_probe(), gain(), follow_back_probe()];
+    let probes =
+        vec![shine_through_probe(), reach(), bend_probe(), gain(), nearness(), follow_back_probe()];
     Table { worlds: vec![World::throwing(), World::full()], probes }
 }
 
@@ -136,6 +137,29 @@ fn gain() -> Probe {
     }
 }
 
+fn nearness() -> Probe {
+    Probe {
+        name: "nears_both_facets",
+        wgsl: "let passage = passages[take_u32()];
+    let beam = Beam(take_vec3(), take_vec3(), 1.0);
+    put_bool(nears_both_facets(passage, beam, take_vec3()));",
+        rust: |world, take, put| {
+            let passage = &world.scene.passages[take.u32() as usize];
+            let beam = Beam { inside: take.vec3(), behind: take.vec3(), gain: 1.0 };
+            put.bool(nears_both_facets(passage, &beam, take.vec3()));
+        },
+        cases: |world| {
+            let case = |found: &Found| {
+                let case = Case::new().u32(found.number).vec3(found.beam.inside);
+                case.vec3(found.beam.behind).vec3(found.ray.origin)
+            };
+            found_beams(world).iter().map(case).collect()
+        },
+        // On the edge of a sphere.
+        tolerance: EXACT.but(0.002),
+    }
+}
+
 fn follow_back_probe() -> Probe {
     Probe {
         name: "follow_back",
@@ -156,29 +180,46 @@ fn follow_back_probe() -> Probe {
             });
         },
         cases: |world| {
-            // Of so many as the device has room for stacks for.
-            let mut cases = Vec::new();
-            let mut dice = Dice::new(59);
-            for (ray, hit, light, towards) in lit_points(world, &mut dice) {
-                let disc = world.scene.discs[light as usize];
-                for number in disc.first_passage..disc.first_passage + disc.passage_count {
-                    let passage = &world.scene.passages[number as usize];
-                    let bin = dice.below(world.scene.bins.count());
-                    let (low_nm, high_nm) = world.scene.bins.range_nm(bin);
-                    let beam = bend(&world.scene, passage, towards, 0.5 * (low_nm + high_nm));
-                    if beam.gain > 0.0 && !is_out_of_reach(passage, ray.origin) {
-                        let case = Case::new().u32(0).u32(0).ray(&ray).hit(&hit).u32(number);
-                        let case = case.vec3(beam.inside).vec3(beam.behind).vec3(towards);
-                        cases.push(case.u32(bin as u32));
-                    }
-                }
-            }
-            cases.truncate(4000);
-            cases
+            let case = |found: &Found| {
+                let case = Case::new().u32(0).u32(0).ray(&found.ray).hit(&found.hit);
+                let case = case.u32(found.number).vec3(found.beam.inside);
+                case.vec3(found.beam.behind).vec3(found.towards_light).u32(found.bin)
+            };
+            found_beams(world).iter().map(case).collect()
         },
         // Where rounding decides which facet is met, or what is in the way.
         tolerance: Tolerance::relative(1e-5).but(0.01),
     }
+}
+
+/// A beam that may fall on a point.
+struct Found {
+    ray: Ray,
+    hit: Hit,
+    number: u32,
+    beam: Beam,
+    towards_light: Vec3,
+    bin: u32,
+}
+
+/// As many as the device has room for stacks for.
+fn found_beams(world: &World) -> Vec<Found> {
+    let mut found = Vec::new();
+    let mut dice = Dice::new(59);
+    for (ray, hit, light, towards_light) in lit_points(world, &mut dice) {
+        let disc = world.scene.discs[light as usize];
+        for number in disc.first_passage..disc.first_passage + disc.passage_count {
+            let passage = &world.scene.passages[number as usize];
+            let bin = dice.below(world.scene.bins.count());
+            let (low_nm, high_nm) = world.scene.bins.range_nm(bin);
+            let beam = bend(&world.scene, passage, towards_light, 0.5 * (low_nm + high_nm));
+            if beam.gain > 0.0 && !is_out_of_reach(passage, ray.origin) {
+                found.push(Found { ray, hit, number, beam, towards_light, bin: bin as u32 });
+            }
+        }
+    }
+    found.truncate(4000);
+    found
 }
 
 /// Points of matte surfaces, each with a lamp and a direction on it.
