@@ -8,7 +8,7 @@ use brilliance_renderer::packed::PackedScene;
 use brilliance_renderer::scene::{MeshSource, Scene, Shape};
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::spectrum::Bins;
-use brilliance_renderer::tracer::{GpuTracer, Tracer};
+use brilliance_renderer::tracer::{GpuTracer, Tracer, TracerName};
 
 use super::shapes::sphere;
 use super::{TRACER, limited_graphics};
@@ -50,6 +50,21 @@ fn a_scene_too_large_for_the_device_is_refused() {
     let text = refusal(tracer.load(packed));
     assert!(text.contains("triangles take 2 MB") && text.contains("CPU"), "{text}");
     tracer.load(PackedScene::new(&Scene::default(), Bins::new(16)).unwrap()).unwrap();
+}
+
+#[test]
+fn software_refuses_light_that_it_would_cut_short() {
+    let mut document = Document::default();
+    document.scene.objects[0].throws_light = true;
+    let packed = PackedScene::new(&document.scene, Bins::new(16)).unwrap();
+    assert!(packed.passages.len() > 100, "{}", packed.passages.len());
+    let loaded = TRACER.load(packed);
+    if matches!(TRACER.name(), TracerName::Gpu { is_software: true, .. }) {
+        let text = refusal(loaded);
+        assert!(text.contains("throw") && text.contains("CPU"), "{text}");
+    } else {
+        loaded.unwrap();
+    }
 }
 
 #[test]
