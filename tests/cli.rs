@@ -110,6 +110,7 @@ fn help_and_version_are_told() {
         "--set",
         "--bits",
         "--spectral",
+        "--show",
         "--output",
         "--stats",
     ] {
@@ -321,6 +322,39 @@ fn the_options_choose_the_format() {
 }
 
 #[test]
+fn heat_maps_are_other_pictures_of_the_same_film() {
+    let folder = folder_with_scene();
+    let render = |options: &str| {
+        let arguments = format!("render stone.toml --size 24x16 --passes 1 {options}");
+        brilliance(folder.path(), &arguments.split_whitespace().collect::<Vec<_>>())
+    };
+    let mut pictures = Vec::new();
+    for shown in ["color", "rays", "depth", "pruned"] {
+        let output = render(&format!("--show {shown} -o {shown}.png"));
+        assert_eq!(output.status.code(), Some(0), "{shown}: {}", stderr(&output));
+        pictures.push(image::open(folder.path().join(format!("{shown}.png"))).unwrap().to_rgba8());
+    }
+    assert!(render("-o plain.png").status.success());
+    let plain = image::open(folder.path().join("plain.png")).unwrap().to_rgba8();
+    assert!(plain == pictures[0], "the colours are the default");
+    for (i, picture) in pictures.iter().enumerate() {
+        assert!(pictures[..i].iter().all(|other| other != picture), "{i}");
+    }
+    // The corner sees the sky past the stone: one ray, and nothing of the others.
+    let corner = |i: usize| pictures[i].get_pixel(0, 0).0;
+    assert_eq!(
+        [corner(1), corner(2), corner(3)],
+        [[68, 1, 84, 255], [0, 0, 0, 255], [0, 0, 0, 255]]
+    );
+
+    assert!(render("--show depth --bits 16 -o deep.png").status.success());
+    let deep = image::open(folder.path().join("deep.png")).unwrap();
+    assert!(deep.to_rgba8() == pictures[2], "16 bits round to 8");
+    assert_wrong_usage(&render("--show depth -o a.exr"), &["OpenEXR", ".png"]);
+    assert_wrong_usage(&render("--show heat -o a.png"), &["heat", "pruned"]);
+}
+
+#[test]
 fn the_time_limit_ends_a_long_render() {
     let folder = folder_with_scene();
     let arguments = "render stone.toml --size 16x16 --passes 1000000 --time 0.2 -o a.png";
@@ -371,4 +405,36 @@ fn an_interrupt_leaves_no_picture() {
     let output = child.wait_with_output().unwrap();
     assert_failed(&output, &["cancelled"]);
     assert_eq!(names(folder.path()), [Path::new("stone.toml")]);
+}
+
+#[test]
+fn the_spectrum_of_a_pixel_is_that_of_the_rendered_film() {
+    let folder = folder_with_scene();
+    let spectrum = |place: &str| {
+        let arguments = format!(
+            "spectrum stone.toml --size 24x16 --passes 2 --backend cpu --set trace.bins=8 {place}"
+        );
+        let arguments: Vec<_> = arguments.split_whitespace().collect();
+        brilliance(folder.path(), &arguments)
+    };
+    let csv = stdout(&spectrum("--pixel 12,8"));
+    let radiances: Vec<f64> = csv
+        .lines()
+        .filter(|line| line.starts_with(char::is_numeric))
+        .map(|line| line.split(',').nth(2).unwrap().parse().unwrap())
+        .collect();
+    assert_eq!(radiances.len(), 8, "{csv}");
+    assert!(radiances.iter().any(|&radiance| radiance > 0.0), "{csv}");
+
+    let json: Value = serde_json::from_str(&stdout(&spectrum("--region 12,8,1,1 --json"))).unwrap();
+    let listed: Vec<f64> =
+        json["radiance"].as_array().unwrap().iter().map(|it| it.as_f64().unwrap()).collect();
+    assert!(listed.iter().zip(&radiances).all(|(a, b)| (a - b).abs() < 1e-6 * b), "{json}");
+    assert_eq!(json["bin_edges_nm"][0], 380.0);
+    assert_eq!(json["srgb8"].as_array().unwrap().len(), 3);
+
+    assert_failed(&spectrum("--pixel 24,8"), &["24,8", "24x16", "outside"]);
+    assert_failed(&spectrum("--region 20,8,5,2"), &["5x2", "outside"]);
+    assert_wrong_usage(&spectrum("--pixel 3"), &["comma"]);
+    assert_wrong_usage(&spectrum(""), &["--pixel"]);
 }

@@ -51,6 +51,16 @@ fn chromaticities_of_the_display_white() {
     assert!((color::uv_prime(white) - DVec2::new(0.1978, 0.4683)).abs().max_element() < 1e-4);
 }
 
+/// u′, v′ of the sRGB primaries as commonly tabulated.
+#[test]
+fn chromaticities_of_the_display_primaries() {
+    let published = [[0.4507, 0.5229], [0.1250, 0.5625], [0.1754, 0.1579]];
+    for (xy, published) in color::REC709_PRIMARIES_XY.into_iter().zip(published) {
+        let found = color::uv_prime(color::xyz_from_xy(xy, 0.3));
+        assert!((found - DVec2::from_array(published)).abs().max_element() < 6e-5, "{found}");
+    }
+}
+
 /// Lab of the sRGB primaries in D65 as commonly tabulated.
 #[test]
 fn lab_of_white_black_and_red() {

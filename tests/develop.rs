@@ -1,11 +1,13 @@
 //! From film to display, against what is published and what must hold.
 
 use brilliance_renderer::color;
-use brilliance_renderer::develop::XyzImage;
-use brilliance_renderer::film::Film;
+use brilliance_renderer::develop::{
+    ColorPath, CountImage, GamutFault, HeatMap, NOTHING, XyzImage, brightest_srgb8,
+};
+use brilliance_renderer::film::{Counts, Film};
 use brilliance_renderer::settings::{DisplaySettings, ToneCurve, WhitePoint};
-use brilliance_renderer::spectrum::{Bins, Illuminant, Spectrum};
-use glam::DVec3;
+use brilliance_renderer::spectrum::{Bins, Illuminant, Observer, Spectrum};
+use glam::{DVec3, Vec3};
 
 /// A film of one pixel per spectrum, exposed `passes` times.
 fn film_of(spectra: &[Spectrum], bins: Bins, passes: u32) -> Film {
@@ -209,4 +211,139 @@ fn black_middle_grey_and_white_have_their_codes() {
     assert_eq!(rgb16[..3], [0; 3]);
     assert!(rgb16[3..6].iter().all(|&code| code.abs_diff(30237) <= 2), "{rgb16:?}");
     assert_eq!(rgb16[6..], [65535; 3]);
+}
+
+fn lightness([r, g, b]: [u8; 3]) -> f64 {
+    let linear = [r, g, b].map(|code| color::srgb_decode(f64::from(code) / 255.0));
+    let xyz = color::xyz_from_rec709() * DVec3::from_array(linear);
+    color::Lab::from_xyz(xyz, color::d65_white()).l
+}
+
+#[test]
+fn a_heat_map_gets_lighter_with_the_number_and_ends_where_its_scale_ends() {
+    for map in HeatMap::ALL {
+        let [low, high] = map.scale_ends();
+        let mut before = lightness(map.color(low));
+        assert!(lightness(NOTHING) < before - 5.0, "nothing is told from the least");
+        for step in 1..=200 {
+            let now = lightness(map.color(low * (high / low).powf(step as f32 / 200.0)));
+            // Codes are whole numbers, so that the steps are not even.
+            assert!(now > before - 0.1, "{map:?}, step {step}: {before} {now}");
+            before = before.max(now);
+        }
+        assert!(before > 85.0, "{map:?} ends at {before}");
+        assert_eq!(map.color(0.0), NOTHING);
+        assert_eq!(map.color(0.5 * low), map.color(low));
+        assert_eq!(map.color(2.0 * high), map.color(high));
+    }
+}
+
+#[test]
+fn a_heat_map_shows_the_mean_of_its_count_in_8_and_in_16_bits() {
+    let mut film = Film::new(2, 1, Bins::new(4));
+    film.sums_and_counts_mut().1[1] = Counts { rays: 300.0, depth: 48.0, pruned: 0.03 };
+    (0..3).for_each(|_| film.complete_pass());
+    let image = CountImage::from_film(&film);
+    assert_eq!(image.size, [2, 1]);
+    for (map, mean) in [(HeatMap::Rays, 100.0), (HeatMap::Depth, 16.0), (HeatMap::Pruned, 0.01)] {
+        let rgba8 = image.develop_rgba8(map);
+        let [r, g, b] = map.color(mean);
+        let [r0, g0, b0] = NOTHING;
+        assert_eq!(rgba8, [r0, g0, b0, 255, r, g, b, 255], "{map:?}");
+        for (code16, code) in image.develop_rgb16(map)[3..].iter().zip([r, g, b]) {
+            assert!(code16.abs_diff(257 * u16::from(code)) <= 129, "{map:?}: {code16} {code}");
+        }
+    }
+}
+
+#[test]
+fn the_path_of_a_colour_is_that_of_a_pixel() {
+    let image = image(all_sorts());
+    for settings in all_settings() {
+        let (rgb, codes) = (image.develop(&settings).rgb, image.develop_rgba8(&settings));
+        for (i, &xyz) in image.xyz.iter().enumerate() {
+            let path = ColorPath::new(Vec3::from(xyz).as_dvec3(), image.bins, &settings);
+            assert_eq!(
+                (path.shown, &path.srgb8[..]),
+                (rgb[i], &codes[4 * i..4 * i + 3]),
+                "{xyz:?}"
+            );
+            let is_black = path.shown == [0.0; 3];
+            assert!(path.is_color() || is_black, "{xyz:?}");
+            if let Some(shift) = path.gamut_shift() {
+                assert!((0.0..=1.0).contains(&shift.towards_white), "{xyz:?}: {shift:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_colour_that_the_display_has_is_not_moved() {
+    let bins = Bins::new(16);
+    let settings = settings(WhitePoint::D65, ToneCurve::Linear);
+    let white = Observer::binned_xyz(&WhitePoint::D65.spectrum(), bins);
+    let white = white / white.y;
+    for share in [0.0, 1e-3, 0.2, 1.0] {
+        let path = ColorPath::new(share * white, bins, &settings);
+        assert_eq!(path.gamut_shift(), None, "{path:?}");
+        assert_eq!(path.is_color(), share > 0.0);
+        assert!((path.shown_xyz() - share * color::d65_white()).length() < 1e-5);
+    }
+}
+
+#[test]
+fn a_single_wavelength_is_moved_straight_towards_white_and_keeps_its_luminance() {
+    let bins = Bins::new(64);
+    let settings = settings(WhitePoint::EqualEnergy, ToneCurve::Reinhard);
+    let white = color::uv_prime(color::d65_white());
+    for lambda_nm in [450.0, 490.0, 520.0, 560.0, 600.0, 650.0] {
+        let pure = Observer::color_matching_at(lambda_nm);
+        let path = ColorPath::new(0.1 / pure.y * pure, bins, &settings);
+        let shift = path.gamut_shift().expect("no display has it");
+        assert_eq!(shift.fault, GamutFault::TooPure);
+        let [wanted, shown] = [path.exposed_xyz(), path.shown_xyz()].map(color::uv_prime);
+        assert!((shift.uv_prime - wanted.distance(shown)).abs() < 1e-4, "{lambda_nm}: {shift:?}");
+        let aside = (wanted - white).normalize().perp_dot(shown - white);
+        assert!(aside.abs() < 1e-4, "{lambda_nm}: {aside} beside the line");
+        assert!(shown.distance(white) < wanted.distance(white));
+        assert!(shift.delta_e_2000 > 2.0, "{lambda_nm}: {shift:?}");
+        let low = path.shown.iter().fold(1.0_f32, |low, &channel| low.min(channel));
+        assert!(low < 1e-5, "moved as far as the edge of the gamut and no further: {path:?}");
+        let gain = f64::from(path.toned[1] / path.exposed[1]);
+        assert!((path.shown_xyz().y - gain * path.exposed_xyz().y).abs() < 1e-5);
+    }
+}
+
+#[test]
+fn a_colour_that_is_too_bright_is_told_from_one_that_is_too_pure() {
+    let settings = settings(WhitePoint::D65, ToneCurve::Linear);
+    let bins = Bins::new(64);
+    let shift = |rgb: [f64; 3]| {
+        let xyz = color::xyz_from_rec709() * DVec3::from_array(rgb);
+        ColorPath::new(xyz, bins, &settings).gamut_shift().expect("it is moved")
+    };
+    let blue = shift([0.2, 0.2, 3.0]);
+    assert_eq!(blue.fault, GamutFault::TooBright);
+    assert!(blue.towards_white > 0.5 && blue.towards_white < 1.0, "{blue:?}");
+    let gray = shift([2.0; 3]);
+    assert_eq!(gray.fault, GamutFault::BeyondWhite);
+    assert!(gray.uv_prime < 1e-3, "white it was: {gray:?}");
+    let sparkle = shift([9.0, 0.5, 0.5]);
+    assert_eq!((sparkle.fault, sparkle.towards_white), (GamutFault::BeyondWhite, 1.0));
+}
+
+#[test]
+fn the_brightest_of_a_chromaticity_is_on_the_edge_of_the_gamut() {
+    let xyz = |rgb: DVec3| color::xyz_from_rec709() * rgb;
+    assert_eq!(brightest_srgb8(0.3 * color::d65_white()), [255; 3]);
+    for level in [1e-4, 1.0, 1e4] {
+        assert_eq!(brightest_srgb8(level * xyz(DVec3::X)), [255, 0, 0]);
+        assert_eq!(brightest_srgb8(level * xyz(DVec3::Z)), [0, 0, 255]);
+    }
+    for lambda_nm in (380..=730).step_by(10).map(f64::from) {
+        let code = brightest_srgb8(Observer::color_matching_at(lambda_nm));
+        assert_eq!(code.iter().max(), Some(&255), "{lambda_nm}: {code:?}");
+        assert_eq!(code.iter().min(), Some(&0), "{lambda_nm}: {code:?}");
+    }
+    assert_eq!(brightest_srgb8(DVec3::ZERO), [0; 3]);
 }

@@ -38,6 +38,8 @@ fn tree_in_diamond() -> RayTree {
 fn all_cases() -> Vec<Case> {
     vec![
         cases::diamond(),
+        cases::beam(),
+        cases::print(),
         cases::seven_diamonds(),
         cases::mesh(),
         cases::prism(),

@@ -244,6 +244,63 @@ fn no_mutation_of_a_good_file_panics() {
 }
 
 #[test]
+fn faults_in_prints() {
+    let print = |keys: &str| {
+        format!(
+            "format = 1\n[[objects]]\nround_brilliant = {{}}\nmaterial.diffuse = 1\n\
+             material.print = {{ {keys} }}\n"
+        )
+    };
+    let word = |keys: &str| print(&format!("library = \"The word prism\", {keys}"));
+    assert_faults(&[
+        ("no image", print("width_mm = 3"), &["line 5", "`objects.0.material.print`", "`file`"]),
+        (
+            "two images",
+            word("file = \"a.png\", width_mm = 3"),
+            &["`objects.0.material.print.library`", "give only one"],
+        ),
+        (
+            "unknown image",
+            print("library = \"The word prisma\", width_mm = 3"),
+            &["`objects.0.material.print.library`", "did you mean `The word prism`"],
+        ),
+        ("no size", word("up = [0, 1, 0]"), &["print.width_mm`", "missing", "height_mm"]),
+        ("no width", word("width_mm = 0"), &["print.width_mm`", "found 0"]),
+        ("negative", word("width_mm = 1, height_mm = -2"), &["print.height_mm`", "found -2"]),
+        ("too far", word("width_mm = 1e30"), &["print.width_mm`", "1000000"]),
+        ("no facing", word("width_mm = 1, facing = [0, 0, 0]"), &["print.facing`", "point"]),
+        (
+            "up and facing",
+            word("width_mm = 1, facing = [0, 2, 0], up = [0, -1, 0]"),
+            &["print.up`", "parallel"],
+        ),
+        (
+            "outside",
+            word("width_mm = 1, outside = \"mirrored\""),
+            &["print.outside`", "did you mean `mirror`", "repeat"],
+        ),
+        ("tint", word("width_mm = 1, tint = [1, 2, 1]"), &["print.tint`", "found 2"]),
+        (
+            "missing file",
+            print("file = \"nowhere.png\", width_mm = 1"),
+            &["line 5", "`objects.0.material.print.file`", "nowhere.png"],
+        ),
+        (
+            "not an image",
+            print("file = \"Cargo.toml\", width_mm = 1"),
+            &["print.file`", "Cargo.toml", "neither PNG nor JPEG", "convert"],
+        ),
+        (
+            "on a clear stone",
+            "format = 1\n[[objects]]\nround_brilliant = {}\nmaterial.library = \"Diamond\"\n\
+             material.print = { library = \"The word prism\", width_mm = 1 }\n"
+                .into(),
+            &["line 5", "`objects.0.material.print`", "`diffuse`"],
+        ),
+    ]);
+}
+
+#[test]
 fn deep_nesting_and_long_keys_are_faults() {
     for text in [
         format!("a{} = 1", ".a".repeat(200_000)),

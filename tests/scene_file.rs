@@ -7,7 +7,8 @@ use brilliance_renderer::cuts::{RoundBrilliant, StandardProportions};
 use brilliance_renderer::error::RendererError;
 use brilliance_renderer::light::{DiscLight, Lights, SkyLight};
 use brilliance_renderer::material::{
-    Dielectric, Diffuse, Dispersion, Material, SellmeierTerm, find, library,
+    Dielectric, Diffuse, Dispersion, Image, Layout, Material, Outside, Planar, Print,
+    SellmeierTerm, find, library,
 };
 use brilliance_renderer::rigs::rigs;
 use brilliance_renderer::scene::{Ground, Object, Shape, Transform};
@@ -34,6 +35,7 @@ fn stone(material: Material) -> Object {
         shape: Shape::RoundBrilliant(RoundBrilliant::default()),
         transform: Transform::default(),
         material,
+        throws_light: false,
     }
 }
 
@@ -54,7 +56,7 @@ fn the_start_document_is_the_shipped_diamond() {
 
 #[test]
 fn shipped_scenes_are_read_and_round_trip() {
-    assert_eq!(scenes().len(), 5);
+    assert_eq!(scenes().len(), 6);
     for scene in scenes() {
         let document = read(scene.text).unwrap_or_else(|fault| panic!("{}: {fault}", scene.name));
         assert!(!document.scene.objects.is_empty(), "{}", scene.name);
@@ -111,12 +113,88 @@ fn every_material_round_trips() {
         absorption_per_mm: Some(table_spectrum()),
     }));
     for reflectance in [Spectrum::Flat(0.18), Spectrum::Rgb([0.1, 0.9, 0.3]), table_spectrum()] {
-        materials.push(Material::Diffuse(Diffuse { reflectance }));
+        materials.push(Material::Diffuse(Diffuse { reflectance, print: None }));
     }
     for material in materials {
         let mut document = Document::default();
         document.scene.objects = vec![stone(material)];
         assert_round_trip(&document);
+    }
+}
+
+#[test]
+fn prints_round_trip() {
+    let image = Image::of_library("The word prism").unwrap();
+    let tilted = Vec3::new(0.36, -0.48, 0.8);
+    for (facing, up, outside, tint) in [
+        (Vec3::Z, Vec3::Y, Outside::Bare, [1.0; 3]),
+        (Vec3::NEG_Y, Vec3::Z, Outside::Mirror, [0.9, 0.5, 0.0]),
+        (tilted, tilted.any_orthonormal_vector(), Outside::Repeat, [1.0; 3]),
+    ] {
+        let layout = Layout::Planar(Planar { facing, up, size_mm: [7.1, 0.3] });
+        let print = Print { image: image.clone(), layout, outside: [outside; 2], tint };
+        let reflectance = Spectrum::Rgb([0.8, 0.7, 0.6]);
+        let mut document = Document::default();
+        let printed = Material::Diffuse(Diffuse { reflectance, print: Some(print) });
+        document.scene.objects = vec![stone(printed)];
+        assert_round_trip(&document);
+    }
+}
+
+#[test]
+fn a_print_needs_no_more_than_an_image_and_a_width() {
+    let print = |keys: &str| {
+        let text = format!(
+            "format = 1\n[[objects]]\nround_brilliant = {{}}\nmaterial = {{ diffuse = 1, \
+             print = {{ library = \"the WORD prism\", {keys} }} }}\n"
+        );
+        let Material::Diffuse(diffuse) = &read(&text).unwrap().scene.objects[0].material else {
+            panic!("not matte")
+        };
+        let print = diffuse.print.clone().expect("a print");
+        let Layout::Planar(planar) = print.layout else { panic!("not planar") };
+        (print.outside, planar)
+    };
+    let planar = Planar { facing: Vec3::Z, up: Vec3::Y, size_mm: [8.0, 4.0] };
+    assert_eq!(print("width_mm = 8"), ([Outside::Bare; 2], planar));
+    assert_eq!(print("height_mm = 4"), ([Outside::Bare; 2], planar));
+    // Upwards is +z where that is to be seen, and always at right angles to where it faces.
+    let facing = Vec3::new(0.0, -0.8, 0.6);
+    let (outside, planar) =
+        print("width_mm = 1, height_mm = 1, facing = [0, -4, 3], outside = \"edge\"");
+    assert_eq!((outside, planar.size_mm), ([Outside::Edge; 2], [1.0, 1.0]));
+    assert!(planar.facing.distance(facing) < 1e-6);
+    assert!(planar.up.distance(Vec3::new(0.0, 0.6, 0.8)) < 1e-6);
+}
+
+/// The image beside the scene is found from wherever the scene is saved, and named relative to it.
+#[test]
+fn an_image_beside_the_scene_is_read_once_and_saved_by_its_path() {
+    let folder = tempfile::tempdir().unwrap();
+    let image = image::RgbImage::from_pixel(3, 2, image::Rgb([10, 20, 30]));
+    image.save(folder.path().join("paper.png")).unwrap();
+    let text = "format = 1\n[[objects]]\nround_brilliant = {}\nmaterial.diffuse = 1\n\
+                material.print = { file = \"paper.png\", width_mm = 3 }\n[[objects]]\n\
+                round_brilliant = {}\nmaterial.diffuse = 0.5\n\
+                material.print = { file = \"paper.png\", height_mm = 5 }\n";
+    let document = Document::from_toml(text, folder.path()).unwrap();
+    let image = |document: &Document, index: usize| {
+        let Material::Diffuse(diffuse) = &document.scene.objects[index].material else {
+            panic!("not matte")
+        };
+        diffuse.print.as_ref().expect("a print").image.clone()
+    };
+    let first = image(&document, 0);
+    assert!(std::sync::Arc::ptr_eq(&first, &image(&document, 1)));
+    assert_eq!((first.size, first.texels[5]), ([3, 2], 0x1e_14_0a));
+    assert_eq!(first.name(), "paper.png");
+    for (place, written) in [("scene.toml", "paper.png"), ("scenes/scene.toml", "../paper.png")] {
+        let path = folder.path().join(place);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        document.save(&path).unwrap();
+        let text = std::fs::read_to_string(&path).unwrap();
+        assert!(text.contains(&format!("file = \"{written}\"")), "{text}");
+        assert_eq!(image(&Document::open(&path).unwrap(), 0).texels, first.texels);
     }
 }
 

@@ -1,7 +1,7 @@
 //! Spectra against published colours: observer, illuminants, black bodies, reflectances.
 
 use brilliance_renderer::color;
-use brilliance_renderer::spectrum::{Bins, Illuminant, Observer, Spectrum};
+use brilliance_renderer::spectrum::{Bins, DominantWavelength, Illuminant, Observer, Spectrum};
 use glam::{DVec2, DVec3};
 
 fn luminance_of_flat(bins: Bins) -> f64 {
@@ -80,6 +80,70 @@ fn black_bodies_lie_on_the_planckian_locus() {
     }
 }
 
+/// Points of the spectrum locus: CIE 15:2004, table T.4.
+#[test]
+fn single_wavelengths_lie_on_the_published_locus() {
+    for (lambda_nm, published) in [
+        (380.0, [0.1741, 0.0050]),
+        (450.0, [0.1566, 0.0177]),
+        (520.0, [0.0743, 0.8338]),
+        (580.0, [0.5125, 0.4866]),
+        (650.0, [0.7260, 0.2740]),
+        (700.0, [0.7347, 0.2653]),
+    ] {
+        let found = color::xy(Observer::color_matching_at(lambda_nm));
+        assert!((found - DVec2::from_array(published)).abs().max_element() < 1e-4, "{lambda_nm}");
+    }
+}
+
+fn dominant_wavelength(xy: [f64; 2]) -> Option<DominantWavelength> {
+    let xyz = color::xyz_from_xy(DVec2::from_array(xy), 0.2);
+    DominantWavelength::of(xyz, color::d65_white())
+}
+
+/// The sRGB primaries in D65 as commonly tabulated, to the nanometre; and the examples in the
+/// documentation of the package colour-science 0.4 for Python.
+#[test]
+fn dominant_wavelengths_are_the_published_ones() {
+    for (xy, lambda_nm, is_complementary) in [
+        ([0.64, 0.33], 611.4, false),
+        ([0.30, 0.60], 549.1, false),
+        ([0.15, 0.06], 464.2, false),
+        ([0.543_695_57, 0.321_079_44], 616.0, false),
+        ([0.376_055_06, 0.244_522_25], 509.0, true),
+    ] {
+        let found = dominant_wavelength(xy).expect("it has a hue");
+        assert_eq!(found.is_complementary, is_complementary, "{xy:?}");
+        assert!((found.lambda_nm - lambda_nm).abs() < 0.6, "{xy:?}: {found:?}");
+    }
+    let purity = dominant_wavelength([0.543_695_57, 0.321_079_44]).expect("a hue").purity;
+    assert!((purity - 0.622_885_6).abs() < 2e-3, "{purity}");
+}
+
+#[test]
+fn mixtures_with_white_have_the_wavelength_and_the_share_that_were_mixed() {
+    let white = color::d65_white();
+    for lambda_nm in (400..=680).step_by(7).map(f64::from) {
+        let pure = color::xy(Observer::color_matching_at(lambda_nm));
+        for purity in [0.05, 0.5, 0.99] {
+            let xy = color::D65_XY.lerp(pure, purity);
+            let found = dominant_wavelength(xy.to_array()).expect("it has a hue");
+            assert!((found.lambda_nm - lambda_nm).abs() < 0.05, "{lambda_nm}: {found:?}");
+            assert!((found.purity - purity).abs() < 1e-4, "{lambda_nm}: {found:?}");
+            // Across the white lies what is complementary, if it is no single wavelength itself.
+            let opposite = color::D65_XY - 0.2 * (pure - color::D65_XY);
+            let opposite = dominant_wavelength(opposite.to_array()).expect("it has a hue");
+            if opposite.is_complementary {
+                assert!((opposite.lambda_nm - lambda_nm).abs() < 0.05, "{opposite:?}");
+            }
+        }
+    }
+    for hueless in [white, DVec3::ZERO, DVec3::NAN, 3.0 * white] {
+        assert_eq!(DominantWavelength::of(hueless, white), None);
+    }
+    assert_eq!(DominantWavelength::of(white, DVec3::ZERO), None);
+}
+
 #[test]
 fn a_flat_spectrum_has_exactly_its_value_in_every_bin() {
     for count in [1, 7, 16, 64] {
@@ -151,6 +215,33 @@ fn a_colour_becomes_a_reflectance_and_develops_to_the_same_colour() {
                 let means = spectrum.bin_means(Bins::new(64));
                 assert!(means.iter().all(|mean| (0.0..=1.0).contains(mean)), "{target}");
             }
+        }
+    }
+}
+
+/// Red, green and blue are all there is of white, at every wavelength, and each is a reflectance.
+#[test]
+fn the_primaries_add_up_to_white() {
+    let [red, green, blue] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Spectrum::Rgb);
+    for lambda_nm in (0..=3500).map(|i| 380.0 + 0.1 * i as f32) {
+        let parts = [&red, &green, &blue].map(|primary| primary.at(lambda_nm));
+        assert!(parts.iter().all(|part| (0.0..=1.0).contains(part)), "{lambda_nm} nm: {parts:?}");
+        assert!((parts.iter().sum::<f32>() - 1.0).abs() < 1e-6, "{lambda_nm} nm: {parts:?}");
+    }
+}
+
+/// Between two texels a print has the mixture of their reflectances: that must be the reflectance
+/// of the mixture of their colours.
+#[test]
+fn a_mixture_of_colours_has_the_mixture_of_their_reflectances() {
+    let [warm, cold] = [[0.9_f32, 0.3, 0.1], [0.05, 0.2, 0.8]];
+    let bins = Bins::new(16);
+    for part in [0.1, 0.5, 0.7] {
+        let mix = |a: f32, b: f32| a + part * (b - a);
+        let mixed = Spectrum::Rgb(std::array::from_fn(|i| mix(warm[i], cold[i]))).bin_means(bins);
+        let [warm, cold] = [warm, cold].map(|colour| Spectrum::Rgb(colour).bin_means(bins));
+        for (bin, mixed) in mixed.into_iter().enumerate() {
+            assert!((mixed - mix(warm[bin], cold[bin])).abs() < 1e-6, "{part}, bin {bin}");
         }
     }
 }

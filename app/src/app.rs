@@ -24,7 +24,7 @@ use crate::first_picture::FirstPicture;
 use crate::help::Help;
 use crate::inspector::Inspector;
 use crate::live::Live;
-use crate::menu::{self, Shown};
+use crate::menu;
 use crate::notice::Notices;
 use crate::opening::Opening;
 use crate::orbit::Orbit;
@@ -188,11 +188,6 @@ impl App {
         &self.inspector
     }
 
-    /// Which of the panels are open.
-    fn shown(&self) -> Shown {
-        Shown { panel: self.panel_shown, inspector: self.inspector.is_shown() }
-    }
-
     /// The document as it would be saved: with the camera as it is now.
     fn document_to_save(&self) -> Document {
         let mut document = self.editor.document.clone();
@@ -226,11 +221,19 @@ impl App {
         self.update_scene();
         let document = &self.editor.document;
         self.live.ask(document, &self.scene, self.orbit.camera(), self.viewport_size);
+        self.live.watch(self.inspector.watched());
     }
 
     fn menu_ui(&mut self, ui: &mut Ui) {
         let tracers = self.tracers();
-        if let Some(command) = menu::show(ui, &self.editor, self.shown(), &tracers) {
+        let state = menu::State {
+            editor: &self.editor,
+            tracers: &tracers,
+            shown: self.session().shown(),
+            panel_is_open: self.panel_shown,
+            inspector_is_open: self.inspector.is_shown(),
+        };
+        if let Some(command) = menu::show(ui, &state) {
             self.run(command, ui.ctx());
         }
     }
@@ -288,11 +291,13 @@ impl eframe::App for App {
         let ctx = ui.ctx().clone();
         let was_typing = command::is_typing(&ctx);
         self.menu_ui(ui);
-        status::show(ui, &self.session().progress(), &self.tracers());
+        let session = self.session();
+        status::show(ui, &session.progress(), session.shown(), &self.tracers());
         if self.panel_shown {
             self.panel_ui(ui);
         }
-        self.inspector.show(ui);
+        let reading = self.session().reading();
+        self.inspector.show(ui, reading.as_ref(), &self.editor.document.display);
         self.viewport_ui(ui);
         self.overlays_ui(&ctx);
         // After the widgets, which take the keys that are meant for them.

@@ -1,5 +1,6 @@
 //! What the user can tell the program to do, and the keys for it.
 
+use brilliance_renderer::develop::Shown;
 use brilliance_renderer::tracer::Backend;
 use eframe::egui::{Context, Key, KeyboardShortcut, Modifiers};
 
@@ -34,6 +35,10 @@ pub enum Command {
     Turn([f32; 2]),
     /// Comes nearer by this factor.
     Zoom(f32),
+    /// Shows this of what was traced.
+    Show(Shown),
+    /// Shows the next of what can be shown.
+    ShowNext,
     /// Traces by another tracer.
     TraceWith(Backend),
     /// Gives a graphics device that has failed another chance.
@@ -74,7 +79,7 @@ const SHORTCUTS: [(Command, KeyboardShortcut); 8] = [
 ];
 
 /// Plain keys, for when no text is typed.
-const VIEW_KEYS: [(Key, Command); 12] = [
+const VIEW_KEYS: [(Key, Command); 13] = [
     (Key::Num1, Command::Look(StandardView::FaceUp)),
     (Key::F, Command::Look(StandardView::FaceUp)),
     (Key::Num3, Command::Look(StandardView::Side)),
@@ -84,6 +89,7 @@ const VIEW_KEYS: [(Key, Command); 12] = [
     (Key::R, Command::ResetCamera),
     (Key::L, Command::ToggleDrawing),
     (Key::I, Command::ToggleInspector),
+    (Key::H, Command::ShowNext),
     (Key::F1, Command::ShowKeys),
     (Key::F9, Command::TogglePanel),
     (Key::Escape, Command::Dismiss),

@@ -13,7 +13,7 @@ pub enum Help {
     About,
 }
 
-const KEYS: [(&str, &str); 18] = [
+const KEYS: [(&str, &str); 19] = [
     ("Drag", "turn the stone"),
     ("Middle drag, Shift + drag", "move it"),
     ("Wheel, pinch", "come nearer to what is under the cursor"),
@@ -21,6 +21,7 @@ const KEYS: [(&str, &str); 18] = [
     ("1 or F", "face-up"),
     ("3 or S", "side"),
     ("7 or P", "pavilion-up"),
+    ("H", "picture, rays per pixel, depth, pruned light"),
     ("L", "the line drawing with names and angles"),
     ("I", "show or hide the inspector"),
     ("Click, Ctrl + drag", "pick a pixel or a region for the inspector"),

@@ -7,15 +7,18 @@ mod spectrum;
 use std::sync::Arc;
 
 use brilliance_renderer::camera::Camera;
+use brilliance_renderer::film::Region;
 use brilliance_renderer::inspect::RayTree;
 use brilliance_renderer::scene::Scene;
-use brilliance_renderer::settings::TraceSettings;
+use brilliance_renderer::session::Reading;
+use brilliance_renderer::settings::{DisplaySettings, TraceSettings};
 use eframe::egui::{Frame, Margin, Painter, Panel, Rect, RichText, ScrollArea, Ui};
 
 use crate::theme;
 use crate::waker::Waker;
 pub use pick::{Pick, PixelRect};
 use rays::Rays;
+use spectrum::SpectrumTab;
 
 /// What of a pixel is explained.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -34,6 +37,7 @@ pub struct Inspector {
     tab: Tab,
     pick: Option<Pick>,
     rays: Rays,
+    spectrum: SpectrumTab,
 }
 
 impl Inspector {
@@ -57,6 +61,13 @@ impl Inspector {
         self.pick = Some(Pick { pixels, size, camera });
     }
 
+    /// The part of the picture whose spectrum is shown, or all of it before one is picked, so that
+    /// the session is ready for that.
+    pub fn watched(&self) -> Option<Region> {
+        let watches = self.shown && self.tab == Tab::Spectrum;
+        watches.then(|| self.pick.map_or(Region::WHOLE, |pick| pick.region()))
+    }
+
     /// Forgets what belongs to a document that is no longer open.
     pub fn clear(&mut self) {
         self.pick = None;
@@ -75,8 +86,9 @@ impl Inspector {
         }
     }
 
-    /// Shows the panel, if it is open.
-    pub fn show(&mut self, ui: &mut Ui) {
+    /// Shows the panel, if it is open: the newest `reading` of what is watched, and what the display
+    /// settings make of it.
+    pub fn show(&mut self, ui: &mut Ui, reading: Option<&Arc<Reading>>, display: &DisplaySettings) {
         if !self.shown {
             return;
         }
@@ -96,9 +108,9 @@ impl Inspector {
                     (_, None) => empty_ui(ui, self.tab),
                     (Tab::Rays, Some(_)) => self.rays.show(ui),
                     (Tab::Spectrum, Some(pick)) => {
-                        ScrollArea::vertical()
-                            .auto_shrink(false)
-                            .show(ui, |ui| spectrum::show(ui, &pick));
+                        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+                            self.spectrum.show(ui, pick.region(), reading, display);
+                        });
                     }
                 }
             },

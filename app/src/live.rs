@@ -3,7 +3,9 @@
 use std::sync::Arc;
 
 use brilliance_renderer::camera::Camera;
+use brilliance_renderer::develop::Shown;
 use brilliance_renderer::error::RendererError;
+use brilliance_renderer::film::Region;
 use brilliance_renderer::gpu::Graphics;
 use brilliance_renderer::scene::Scene;
 use brilliance_renderer::scene_file::Document;
@@ -46,6 +48,11 @@ impl Live {
         self.backend = backend;
     }
 
+    /// Shows this of what was traced from now on.
+    pub fn show(&mut self, shown: Shown) {
+        self.session.show(shown);
+    }
+
     /// Lets the session trace on the window's graphics device.
     pub fn offer_graphics(&mut self, graphics: Graphics) {
         self.session.offer_graphics(graphics);
@@ -68,6 +75,11 @@ impl Live {
             backend: self.backend,
         });
         self.session.display(document.display.clone());
+    }
+
+    /// Has the spectrum of this part of the picture read.
+    pub fn watch(&mut self, region: Option<Region>) {
+        self.session.watch(region);
     }
 
     /// The renderer's session.

@@ -1,39 +1,47 @@
 //! The menu bar.
 
+use brilliance_renderer::develop::Shown;
 use brilliance_renderer::scene_file::scenes;
 use eframe::egui::{Button, Frame, Margin, MenuBar, Panel, RichText, Ui};
 
 use crate::command::Command;
 use crate::editor::Editor;
 use crate::orbit::StandardView;
+use crate::shown;
 use crate::theme;
 use crate::tracers::{self, Tracers};
 
-/// Which of the panels are open.
+/// What the menu tells of the program.
 #[derive(Clone, Copy, Debug)]
-pub struct Shown {
-    /// The panel that edits, at the right edge.
-    pub panel: bool,
-    /// The inspector, at the left edge.
-    pub inspector: bool,
+pub struct State<'a> {
+    /// What is edited.
+    pub editor: &'a Editor,
+    /// What traces.
+    pub tracers: &'a Tracers,
+    /// What is shown of the film.
+    pub shown: Shown,
+    /// Whether the panel at the right edge is open.
+    pub panel_is_open: bool,
+    /// Whether the inspector at the left edge is open.
+    pub inspector_is_open: bool,
 }
 
 /// Shows the bar at the top edge; gives what was chosen.
-pub fn show(ui: &mut Ui, editor: &Editor, shown: Shown, tracers: &Tracers) -> Option<Command> {
+pub fn show(ui: &mut Ui, state: &State<'_>) -> Option<Command> {
     let frame = Frame::new().fill(theme::PANEL).inner_margin(Margin::symmetric(8, 3));
     let bar = Panel::top("menu").frame(frame).show(ui, |ui| {
         let mut chosen = None;
         MenuBar::new().ui(ui, |ui| {
             ui.menu_button("File", |ui| file_ui(ui, &mut chosen));
-            ui.menu_button("Edit", |ui| edit_ui(ui, editor, &mut chosen));
-            ui.menu_button("View", |ui| view_ui(ui, shown, tracers, &mut chosen));
+            ui.menu_button("Edit", |ui| edit_ui(ui, state.editor, &mut chosen));
+            ui.menu_button("View", |ui| view_ui(ui, state, &mut chosen));
             ui.menu_button("Help", |ui| {
                 entry(ui, true, "Mouse and keys", Command::ShowKeys, &mut chosen);
                 entry(ui, true, "How rays are divided", Command::TogglePrism, &mut chosen);
                 entry(ui, true, "About Brilliance", Command::ShowAbout, &mut chosen);
             });
             ui.add_space(12.0);
-            ui.label(RichText::new(editor.title()).color(theme::TEXT_WEAK));
+            ui.label(RichText::new(state.editor.title()).color(theme::TEXT_WEAK));
         });
         chosen
     });
@@ -71,19 +79,20 @@ fn edit_ui(ui: &mut Ui, editor: &Editor, chosen: &mut Option<Command>) {
     entry(ui, editor.edited(), "Reset all changes", Command::Reset, chosen);
 }
 
-fn view_ui(ui: &mut Ui, shown: Shown, tracers: &Tracers, chosen: &mut Option<Command>) {
+fn view_ui(ui: &mut Ui, state: &State<'_>, chosen: &mut Option<Command>) {
     entry(ui, true, "Face-up", Command::Look(StandardView::FaceUp), chosen);
     entry(ui, true, "Side", Command::Look(StandardView::Side), chosen);
     entry(ui, true, "Pavilion-up", Command::Look(StandardView::Pavilion), chosen);
     entry(ui, true, "Reset camera", Command::ResetCamera, chosen);
     ui.separator();
+    ui.menu_button("Show", |ui| shown::menu_ui(ui, state.shown, chosen));
     entry(ui, true, "Line drawing", Command::ToggleDrawing, chosen);
     ui.separator();
-    ui.menu_button("Trace with", |ui| tracers::menu_ui(ui, tracers, chosen));
+    ui.menu_button("Trace with", |ui| tracers::menu_ui(ui, state.tracers, chosen));
     ui.separator();
-    let inspector = if shown.inspector { "Hide inspector" } else { "Show inspector" };
+    let inspector = if state.inspector_is_open { "Hide inspector" } else { "Show inspector" };
     entry(ui, true, inspector, Command::ToggleInspector, chosen);
-    let panel = if shown.panel { "Hide panel" } else { "Show panel" };
+    let panel = if state.panel_is_open { "Hide panel" } else { "Show panel" };
     entry(ui, true, panel, Command::TogglePanel, chosen);
 }
 

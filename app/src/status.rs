@@ -1,13 +1,15 @@
 //! The status line: what the session is doing and what it cost.
 
+use brilliance_renderer::develop::Shown;
 use brilliance_renderer::session::{Activity, Progress};
 use eframe::egui::{Align, Color32, Frame, Layout, Margin, Panel, RichText, Sense, Ui, vec2};
 
+use crate::shown;
 use crate::theme;
 use crate::tracers::{self, Tracers};
 
 /// Shows the line at the bottom edge.
-pub fn show(ui: &mut Ui, progress: &Progress, tracers: &Tracers) {
+pub fn show(ui: &mut Ui, progress: &Progress, shown: Shown, tracers: &Tracers) {
     let frame = Frame::new().fill(theme::PANEL).inner_margin(Margin::symmetric(12, 4));
     Panel::bottom("status").frame(frame).show(ui, |ui| {
         ui.horizontal(|ui| {
@@ -17,15 +19,18 @@ pub fn show(ui: &mut Ui, progress: &Progress, tracers: &Tracers) {
                 ui.add_space(12.0);
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                     ui.shrink_clip_rect(ui.max_rect());
-                    progress_ui(ui, progress);
+                    progress_ui(ui, progress, shown);
                 });
             });
         });
     });
 }
 
-fn progress_ui(ui: &mut Ui, progress: &Progress) {
+fn progress_ui(ui: &mut Ui, progress: &Progress, shown: Shown) {
     activity_ui(ui, progress.activity);
+    if shown != Shown::Color {
+        value(ui, shown::name(shown), "shown", "View \u{203a} Show goes back to the picture.");
+    }
     if progress.statistics.camera_rays == 0 {
         return;
     }

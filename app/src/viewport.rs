@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use brilliance_renderer::develop::Shown;
 use brilliance_renderer::session::{Activity, Picture, Progress};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
@@ -11,6 +12,7 @@ use eframe::egui::{
 
 use crate::bounds::Bounds;
 use crate::inspector::PixelRect;
+use crate::legend;
 use crate::orbit::Orbit;
 use crate::picture_painter::paint_picture;
 use crate::theme;
@@ -55,6 +57,9 @@ pub fn show(
     let painter = ui.painter_at(room);
     if let Some(picture) = picture {
         paint(&painter, picture, room, size, pixels_per_point);
+        if let Shown::Heat(map) = picture.shown {
+            legend::show(ui, room, map, progress.activity == Activity::Preview);
+        }
     } else {
         painter.rect_filled(room, 0.0, theme::BACKDROP);
         empty_ui(&painter, room, progress);

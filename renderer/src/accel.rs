@@ -88,6 +88,8 @@ pub struct MeshHierarchy {
     pub nodes: Vec<BvhNode>,
     /// Triangles in the order of the leaves.
     pub triangles: Vec<PackedTriangle>,
+    /// The number that each of these triangles has in the mesh.
+    pub order: Vec<u32>,
     /// Levels below the root.
     pub depth: usize,
 }
@@ -106,7 +108,7 @@ impl MeshHierarchy {
         let bounds: Vec<_> = triangles.iter().map(|t| Bounds::of([t.a, t.b, t.c])).collect();
         let Hierarchy { nodes, order, depth } = Hierarchy::new(&bounds);
         let triangles = order.iter().map(|&i| triangles[i as usize]).collect();
-        Self { nodes, triangles, depth }
+        Self { nodes, triangles, order, depth }
     }
 }
 

@@ -3,16 +3,22 @@
 //! ```text
 //! Film → XyzImage → DisplayImage → sRGB codes
 //!                 ↘ linear Rec. 709 (OpenEXR)
+//!      → CountImage → sRGB codes of a heat map
 //!
 //! GpuFilm → GpuXyzImage → texture of sRGB codes, on a graphics device by the same rules
+//!         → GpuCountImage → texture of sRGB codes of a heat map
 //! ```
 //!
-//! Everything that depends on [`DisplaySettings`] happens after [`XyzImage`], so that a finished
-//! film develops again without being traced again.
+//! Everything that depends on [`DisplaySettings`] or on what is [`Shown`] happens after the second
+//! step, so that a finished film develops again without being traced again.
 
+mod brightest;
+mod color_path;
+mod count_image;
 mod development;
 mod gamut;
 mod gpu;
+mod heat;
 mod srgb8;
 mod tone_curve;
 mod xyz;
@@ -22,19 +28,43 @@ use rayon::prelude::*;
 use crate::color;
 use crate::error::RendererError;
 use crate::settings::DisplaySettings;
-pub use gpu::{Band, GpuDeveloper, GpuXyzImage};
+pub use brightest::brightest_srgb8;
+pub use color_path::{ColorPath, GamutFault, GamutShift};
+pub use count_image::CountImage;
+pub use gpu::{Band, GpuCountImage, GpuDeveloper, GpuXyzImage};
+pub use heat::{HeatMap, NOTHING};
 pub use xyz::XyzImage;
 
 /// Pixels that a thread takes at a time: enough to be worth the asking.
 const PIXELS_PER_TASK: usize = 2048;
 
-/// An exposed film as the observer sees it, not yet developed, where the film is.
+/// What a picture shows of a film.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Shown {
+    /// The colours that the observer sees.
+    #[default]
+    Color,
+    /// What it took to trace each pixel, or what was left out.
+    Heat(HeatMap),
+}
+
+/// An exposed film, not yet developed, where the film is.
 #[derive(Clone, Debug)]
 pub enum LatentImage {
     /// In the processor's memory.
-    Memory(XyzImage),
+    Memory {
+        /// As the observer sees it.
+        light: XyzImage,
+        /// What its pixels took to trace.
+        counts: CountImage,
+    },
     /// In the memory of a graphics device.
-    Graphics(GpuXyzImage),
+    Graphics {
+        /// As the observer sees it.
+        light: GpuXyzImage,
+        /// What its pixels took to trace.
+        counts: GpuCountImage,
+    },
 }
 
 /// The pixels of a developed image, where the film is.
@@ -50,19 +80,34 @@ impl LatentImage {
     /// Width and height in pixels.
     pub fn size(&self) -> [u32; 2] {
         match self {
-            Self::Memory(image) => image.size,
-            Self::Graphics(image) => image.size(),
+            Self::Memory { light, .. } => light.size,
+            Self::Graphics { light, .. } => light.size(),
         }
     }
 
-    /// The image as a display shows it.
+    /// The image as a display shows it. Heat maps have scales of their own, which the settings do
+    /// not change.
     ///
     /// # Errors
     /// The graphics device fails.
-    pub fn develop(&self, settings: &DisplaySettings) -> Result<Pixels, RendererError> {
-        match self {
-            Self::Memory(image) => Ok(Pixels::Rgba8(image.develop_rgba8(settings))),
-            Self::Graphics(image) => image.develop(settings).map(Pixels::Texture),
+    pub fn develop(
+        &self,
+        settings: &DisplaySettings,
+        shown: Shown,
+    ) -> Result<Pixels, RendererError> {
+        match (self, shown) {
+            (Self::Memory { light, .. }, Shown::Color) => {
+                Ok(Pixels::Rgba8(light.develop_rgba8(settings)))
+            }
+            (Self::Memory { counts, .. }, Shown::Heat(map)) => {
+                Ok(Pixels::Rgba8(counts.develop_rgba8(map)))
+            }
+            (Self::Graphics { light, .. }, Shown::Color) => {
+                light.develop(settings).map(Pixels::Texture)
+            }
+            (Self::Graphics { counts, .. }, Shown::Heat(map)) => {
+                counts.develop(map).map(Pixels::Texture)
+            }
         }
     }
 }

@@ -1,10 +1,21 @@
-//! The film: sums of spectral radiance per pixel.
+//! The film: sums of spectral radiance per pixel, and of what it took to find them.
+
+mod counts;
+
+pub use counts::Counts;
+
+mod region;
+
+use rayon::prelude::*;
+
+pub use region::{PixelRect, Region};
 
 use crate::spectrum::Bins;
 
-/// Radiance sums per pixel and spectral bin, over a number of passes.
+/// Radiance sums per pixel and spectral bin, and counts per pixel, over a number of passes.
 ///
-/// Memory is `width · height · bins · 4` bytes: 133 MB at 1920×1080 with 16 bins.
+/// Memory is `width · height · (bins + 3) · 4` bytes: 133 MB of radiance and 25 MB of counts at
+/// 1920×1080 with 16 bins.
 #[derive(Clone, Debug)]
 pub struct Film {
     width: u32,
@@ -12,30 +23,40 @@ pub struct Film {
     bins: Bins,
     passes: u32,
     sums: Vec<f32>,
+    counts: Vec<Counts>,
 }
 
 impl Film {
     /// Largest film of a still in bytes: 8192×8192 pixels of 16 bins.
-    pub const MAX_BYTES: u64 = 4 << 30;
+    pub const MAX_BYTES: u64 = Self::bytes([8192, 8192], 16);
 
     /// Memory that a film of this size needs.
-    pub fn bytes([width, height]: [u32; 2], bins: u32) -> u64 {
-        u64::from(width) * u64::from(height) * u64::from(bins) * size_of::<f32>() as u64
+    pub const fn bytes([width, height]: [u32; 2], bins: u32) -> u64 {
+        let pixel = bins as u64 * size_of::<f32>() as u64 + size_of::<Counts>() as u64;
+        width as u64 * height as u64 * pixel
     }
 
     /// An empty film.
     pub fn new(width: u32, height: u32, bins: Bins) -> Self {
-        let sums = vec![0.0; width as usize * height as usize * bins.count()];
-        Self { width, height, bins, passes: 0, sums }
+        let pixels = width as usize * height as usize;
+        let (sums, counts) = (vec![0.0; pixels * bins.count()], vec![Counts::default(); pixels]);
+        Self { width, height, bins, passes: 0, sums, counts }
     }
 
     /// A film of `passes` passes that were summed up elsewhere.
     ///
     /// # Panics
-    /// The sums are not one per pixel and bin.
-    pub fn from_sums([width, height]: [u32; 2], bins: Bins, sums: Vec<f32>, passes: u32) -> Self {
-        assert_eq!(sums.len(), width as usize * height as usize * bins.count(), "sums of a film");
-        Self { width, height, bins, passes, sums }
+    /// The sums are not one per pixel and bin, or the counts not one per pixel.
+    pub fn from_sums(
+        [width, height]: [u32; 2],
+        bins: Bins,
+        (sums, counts): (Vec<f32>, Vec<Counts>),
+        passes: u32,
+    ) -> Self {
+        let pixels = width as usize * height as usize;
+        assert_eq!(sums.len(), pixels * bins.count(), "sums of a film");
+        assert_eq!(counts.len(), pixels, "counts of a film");
+        Self { width, height, bins, passes, sums, counts }
     }
 
     /// Width and height in pixels.
@@ -51,6 +72,7 @@ impl Film {
     /// Makes the film empty.
     pub fn clear(&mut self) {
         self.sums.fill(0.0);
+        self.counts.fill(Counts::default());
         self.passes = 0;
     }
 
@@ -64,9 +86,19 @@ impl Film {
         &self.sums
     }
 
-    /// The sums, to add a pass to; followed by [`complete_pass`](Self::complete_pass).
+    /// Sums of the counts, row by row from the top.
+    pub fn counts(&self) -> &[Counts] {
+        &self.counts
+    }
+
+    /// The radiance sums, to add a pass to; followed by [`complete_pass`](Self::complete_pass).
     pub fn sums_mut(&mut self) -> &mut [f32] {
         &mut self.sums
+    }
+
+    /// The same with the counts.
+    pub fn sums_and_counts_mut(&mut self) -> (&mut [f32], &mut [Counts]) {
+        (&mut self.sums, &mut self.counts)
     }
 
     /// Counts the pass that was added to the sums.
@@ -86,4 +118,46 @@ impl Film {
         let scale = 1.0 / self.passes.max(1) as f32;
         self.sums[start..start + self.bins.count()].iter().map(|sum| sum * scale).collect()
     }
+
+    /// Mean spectral radiance of the pixels of `rect` that lie in the film, one value per bin; 0
+    /// where none does. A sum that is not finite counts as none.
+    pub fn mean_spectrum(&self, rect: PixelRect) -> Vec<f32> {
+        let bins = self.bins.count();
+        let Some(rect) = rect.within(self.size()) else { return vec![0.0; bins] };
+        let rows = rect.min[1] as usize..(rect.min[1] + rect.size[1]) as usize;
+        let rows = rows.into_par_iter().map(|row| {
+            let start = (row * self.width as usize + rect.min[0] as usize) * bins;
+            let pixels = &self.sums[start..start + rect.size[0] as usize * bins];
+            sum_per_bin(pixels, bins)
+        });
+        let rows: Vec<_> = rows.collect();
+        mean_of_sums(rows.iter().flatten().copied(), self.bins, rect.count(), self.passes)
+    }
+}
+
+/// Sums of pixels whose bins lie side by side.
+fn sum_per_bin(pixels: &[f32], bins: usize) -> Vec<f64> {
+    let mut sums = vec![0.0; bins];
+    for pixel in pixels.chunks_exact(bins) {
+        for (sum, &value) in sums.iter_mut().zip(pixel) {
+            *sum += if value.is_finite() { f64::from(value) } else { 0.0 };
+        }
+    }
+    sums
+}
+
+/// The mean of `pixels` pixels after `passes` passes whose sums, the bins side by side, were added
+/// up in parts.
+pub(crate) fn mean_of_sums(
+    parts: impl Iterator<Item = f64>,
+    bins: Bins,
+    pixels: u64,
+    passes: u32,
+) -> Vec<f32> {
+    let mut sums = vec![0.0; bins.count()];
+    for (part, bin) in parts.zip((0..bins.count()).cycle()) {
+        sums[bin] += part;
+    }
+    let scale = 1.0 / (pixels.max(1) as f64 * f64::from(passes.max(1)));
+    sums.into_iter().map(|sum| (sum * scale) as f32).collect()
 }

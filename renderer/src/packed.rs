@@ -3,7 +3,11 @@
 //! Every struct is `repr(C)` and free of padding so that a GPU can be handed the same bytes.
 
 mod bodies;
+mod passages;
+mod prints;
 mod spectra;
+
+pub use passages::MAX_PASSAGES;
 
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec3, Vec4};
@@ -72,7 +76,7 @@ pub const MESH: u32 = 1;
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct Instance {
-    /// Rows of the matrix that takes world points into the frame of the mesh.
+    /// Rows of the matrix that takes world points into the frame of the body.
     pub object_from_world: [Vec4; 3],
     /// [`CONVEX`] or [`MESH`].
     pub kind: u32,
@@ -88,6 +92,35 @@ pub struct Instance {
     pub interior_is_clear: u32,
 }
 
+/// What is printed on a matte material; words are those of [`PackedScene::words`].
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct PackedPrint {
+    /// Printed on is where `front · n + front_offset` is above 0, n the outward unit normal in the
+    /// body's frame.
+    pub front: Vec3,
+    /// See `front`.
+    pub front_offset: f32,
+    /// Linear sRGB that each texel is multiplied by.
+    pub tint: Vec3,
+    /// Row of the reflectance of red; those of green and blue follow.
+    pub primaries: u32,
+    /// Width and height in texels.
+    pub size: [u32; 2],
+    /// What is beyond the image, across and along: an [`Outside`](crate::material::Outside).
+    pub outside: [u32; 2],
+    /// First texel, or [`NONE`] where nothing is printed: row by row from the top, each red, green
+    /// and blue in sRGB codes of 8 bits, red in the lowest.
+    pub texels: u32,
+    /// First of the 256 linear values of the sRGB codes.
+    pub levels: u32,
+    /// First word of the projection of facet 0: x, y and z in the body's frame, and 1, times the
+    /// first four numbers are the texture coordinate u, times the next four v.
+    pub projection: u32,
+    /// Words from the projection of one facet to that of the next; 0 where all have the same.
+    pub projection_stride: u32,
+}
+
 /// Optical properties; spectra are rows of [`PackedScene::spectra`].
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
@@ -100,6 +133,8 @@ pub struct PackedMaterial {
     pub reflectance: u32,
     /// Least absorption coefficient of any bin, per mm.
     pub least_absorption: f32,
+    /// What is printed on it.
+    pub print: PackedPrint,
 }
 
 impl PackedMaterial {
@@ -124,8 +159,41 @@ pub struct PackedDisc {
     pub solid_angle: f32,
     /// Row of the radiance.
     pub spectrum: u32,
-    /// Fills the struct to 32 bytes.
-    pub padding: u32,
+    /// First of the passages that the light takes through clear bodies.
+    pub first_passage: u32,
+    /// Number of these passages.
+    pub passage_count: u32,
+    /// Fills the struct to 48 bytes.
+    pub padding: [u32; 3],
+}
+
+/// Two facets of a clear convex body that light of one disc goes straight through, in at one and out
+/// at the other.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
+pub struct PackedPassage {
+    /// Center of a sphere about the facet that the light leaves through.
+    pub center: Vec3,
+    /// Radius of that sphere.
+    pub radius: f32,
+    /// Unit vector along the middle of the directions in which the light is seen from behind.
+    pub direction: Vec3,
+    /// Cosine of the half-angle of the cone about `direction` that holds them all.
+    pub cos_bound: f32,
+    /// Outward unit normal of the facet that the light enters through.
+    pub normal_in: Vec3,
+    /// Sine of the half-angle of that cone; where it is wider than 90°, both are 0.
+    pub sin_bound: f32,
+    /// Outward unit normal of the facet that the light leaves through.
+    pub normal_out: Vec3,
+    /// The body.
+    pub instance: u32,
+    /// The facet that the light enters through.
+    pub facet_in: u32,
+    /// The facet that the light leaves through.
+    pub facet_out: u32,
+    /// Fills the struct to 80 bytes.
+    pub padding: [u32; 2],
 }
 
 /// The checkered plane.
@@ -169,8 +237,10 @@ pub struct PackedScene {
     pub instances: Vec<Instance>,
     /// Hierarchy over the bodies; node 0 is the root, empty where there are none.
     pub top_nodes: Vec<BvhNode>,
-    /// Instance index per leaf slot of `top_nodes`.
-    pub top_order: Vec<u32>,
+    /// First the instance index per leaf slot of `top_nodes`, then what prints consist of: texels,
+    /// linear values and, as the bits of f32, projections. They share an array because a graphics
+    /// device takes only so many.
+    pub words: Vec<u32>,
     /// Facet planes of all convex solids. Each solid has four runs of numbers, one per plane: x, y
     /// and z of the outward unit normals, and the distances from the origin of the world. Planes
     /// that fill up have normal 0 and are never met.
@@ -187,6 +257,8 @@ pub struct PackedScene {
     pub spectra: Vec<f32>,
     /// Disc lights.
     pub discs: Vec<PackedDisc>,
+    /// Passages of the discs' light, disc by disc.
+    pub passages: Vec<PackedPassage>,
     /// Lights without a place.
     pub sky: PackedSky,
     /// The ground.
@@ -197,20 +269,22 @@ impl PackedScene {
     /// Flattens `scene` for a film of `bins`.
     ///
     /// # Errors
-    /// An object that is no closed body, or a value that is out of its range; the text names the
-    /// object or light.
+    /// An object that is no closed body, one that shall throw light and can't, or a value that is out
+    /// of its range; the text names the object or light.
     pub fn new(scene: &Scene, bins: Bins) -> Result<Self, RendererError> {
         let mut spectra = spectra::SpectrumRows::new(bins);
-        let materials = spectra::pack_materials(scene, &mut spectra)?;
+        let mut prints = prints::PrintWords::new(scene.objects.len());
+        let materials = spectra::pack_materials(scene, &mut spectra, &mut prints)?;
         let bodies = bodies::pack(scene, &materials.of_object)?;
-        let discs = spectra::pack_discs(&scene.lights, &mut spectra)?;
+        let mut discs = spectra::pack_discs(&scene.lights, &mut spectra)?;
+        let passages = passages::pack(&mut discs, &bodies.throwers, &materials)?;
         let sky = spectra::pack_sky(&scene.lights, &mut spectra)?;
         let ground = spectra::pack_ground(scene.ground.as_ref(), &mut spectra)?;
         Ok(Self {
             bins,
             instances: bodies.instances,
             top_nodes: bodies.top_nodes,
-            top_order: bodies.top_order,
+            words: prints.behind(bodies.top_order),
             planes: bodies.planes,
             nodes: bodies.nodes,
             triangles: bodies.triangles,
@@ -218,6 +292,7 @@ impl PackedScene {
             index_tables: materials.index_tables,
             spectra: spectra.into_values(),
             discs,
+            passages,
             sky,
             ground,
         })
@@ -227,6 +302,13 @@ impl PackedScene {
     #[inline]
     pub fn material_of(&self, instance: u32) -> &PackedMaterial {
         &self.materials[self.instances[instance as usize].material as usize]
+    }
+
+    /// One row of a projection: the four numbers from a word on.
+    #[inline]
+    pub fn projection_row(&self, first: u32) -> Vec4 {
+        let number = |i: u32| f32::from_bits(self.words[(first + i) as usize]);
+        Vec4::new(number(0), number(1), number(2), number(3))
     }
 
     /// The mean of row `row` over `bin`.

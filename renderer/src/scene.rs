@@ -12,7 +12,7 @@ use glam::{Quat, Vec3};
 use crate::camera::Camera;
 use crate::cuts::RoundBrilliant;
 use crate::light::Lights;
-use crate::material::Material;
+use crate::material::{Diffuse, Layout, Material};
 use crate::mesh::Mesh;
 use crate::solid::HalfSpace;
 use crate::spectrum::Spectrum;
@@ -41,6 +41,19 @@ pub struct Object {
     pub transform: Transform,
     /// What it is made of.
     pub material: Material,
+    /// Whether matte surfaces see the light of the discs straight through it, and not only its
+    /// shadow; for clear convex bodies alone.
+    pub throws_light: bool,
+}
+
+impl Object {
+    /// Whether something is printed on it by the texture coordinates of its mesh.
+    pub(crate) fn is_printed_by_coordinates(&self) -> bool {
+        let Material::Diffuse(Diffuse { print: Some(print), .. }) = &self.material else {
+            return false;
+        };
+        print.layout == Layout::Coordinates
+    }
 }
 
 /// The surface of an object.

@@ -19,6 +19,8 @@ mod develop_thread;
 mod graphics;
 mod job;
 mod progress;
+mod read_thread;
+mod reading;
 mod render_thread;
 mod request;
 mod shared;
@@ -29,13 +31,16 @@ mod workplace;
 
 use std::sync::Arc;
 
+use crate::develop::Shown;
 use crate::error::RendererError;
+use crate::film::Region;
 use crate::gpu::Graphics;
 use crate::settings::DisplaySettings;
 use crate::tracer::{CpuTracer, TracingDevice};
 use bell::Urgency;
 pub use graphics::{GraphicsFailure, GraphicsState};
 pub use progress::{Activity, Picture, Progress};
+pub use reading::Reading;
 pub use request::RenderRequest;
 use shared::lock;
 use threads::Threads;
@@ -86,6 +91,35 @@ impl Session {
             drop(display);
             shared.to_develop.ring(Urgency::None);
         }
+    }
+
+    /// Shows this of the film from now on, without retracing. Returns at once.
+    pub fn show(&mut self, shown: Shown) {
+        let shared = &self.running.shared;
+        if std::mem::replace(&mut *lock(&shared.shown), shown) != shown {
+            shared.to_develop.ring(Urgency::None);
+        }
+    }
+
+    /// What is shown of the film, or will be with the next picture.
+    pub fn shown(&self) -> Shown {
+        *lock(&self.running.shared.shown)
+    }
+
+    /// Reads the spectrum of this region of the picture from now on: of the film as it was handed
+    /// on last, and then with every state of it; None ends that. Nothing is traced for it. Returns
+    /// at once.
+    ///
+    /// While a region is watched, and the processor's passes take long, a copy of the film is kept
+    /// so that another region can be read during a pass.
+    pub fn watch(&mut self, region: Option<Region>) {
+        self.running.watch(region);
+    }
+
+    /// The newest reading while a region is watched: of that region, or of the one watched before
+    /// where nothing was read since.
+    pub fn reading(&self) -> Option<Arc<Reading>> {
+        lock(&self.running.shared.watch).reading().cloned()
     }
 
     /// What was last asked for.

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use crate::develop::XyzImage;
+use crate::develop::{CountImage, Shown, XyzImage};
 use crate::error::RendererError;
 use crate::film::Film;
 use crate::image_file;
@@ -82,33 +82,46 @@ impl Still {
         render_on(request, limits, device, cancel, &mut progress)
     }
 
-    /// Writes the picture to `path` by way of a temporary file, with the scene file `scene_toml`
-    /// in its metadata.
+    /// Writes a picture of what is `shown` to `path` by way of a temporary file, with the scene file
+    /// `scene_toml` in its metadata.
     ///
     /// # Errors
-    /// The file can't be written.
+    /// The file can't be written, or is to be an OpenEXR file of a heat map.
     pub fn write(
         &self,
         path: &Path,
         format: StillFormat,
         display: &DisplaySettings,
+        shown: Shown,
         scene_toml: &str,
     ) -> Result<(), RendererError> {
-        let image = XyzImage::from_film(&self.film);
         let metadata = [(image_file::SCENE_KEYWORD, scene_toml), ("Software", SOFTWARE)];
-        let size = self.film.size();
+        let (film, size) = (&self.film, self.film.size());
         match format {
             StillFormat::Png8 => {
-                let pixels = image.develop(display).to_rgba8_srgb();
+                let pixels = match shown {
+                    Shown::Color => XyzImage::from_film(film).develop(display).to_rgba8_srgb(),
+                    Shown::Heat(map) => CountImage::from_film(film).develop_rgba8(map),
+                };
                 image_file::write_png8(path, size, &pixels, &metadata)
             }
             StillFormat::Png16 => {
-                let pixels = image.develop(display).to_rgb16_srgb();
+                let pixels = match shown {
+                    Shown::Color => XyzImage::from_film(film).develop(display).to_rgb16_srgb(),
+                    Shown::Heat(map) => CountImage::from_film(film).develop_rgb16(map),
+                };
                 image_file::write_png16(path, size, &pixels, &metadata)
             }
+            StillFormat::Exr { .. } if shown != Shown::Color => {
+                Err(RendererError::Invalid(format!(
+                    "{}: an OpenEXR picture holds light and no heat map; name the picture .png",
+                    path.display()
+                )))
+            }
             StillFormat::Exr { spectral } => {
-                let means = spectral.then(|| self.film.means());
-                let bins = means.as_ref().map(|means| (self.film.bins(), means.as_slice()));
+                let image = XyzImage::from_film(film);
+                let means = spectral.then(|| film.means());
+                let bins = means.as_ref().map(|means| (film.bins(), means.as_slice()));
                 image_file::write_exr(path, size, &image.linear_rgb(), bins, &metadata)
             }
         }

@@ -1,12 +1,33 @@
-//! Files that appear whole or not at all.
+//! Files that are read whole, and files that appear whole or not at all.
 
 use std::fs::File;
-use std::io::{self, BufWriter, ErrorKind};
+use std::io::{self, BufWriter, ErrorKind, Read};
 use std::path::Path;
 
 use tempfile::NamedTempFile;
 
 use crate::error::RendererError;
+
+/// Reads a regular file of at most `max_bytes` bytes.
+///
+/// # Errors
+/// There is no such file, it is no regular one, it is larger or can't be read.
+pub fn read(path: &Path, max_bytes: u64) -> io::Result<Vec<u8>> {
+    // Asked before opening: a pipe would block and a device never end.
+    let metadata = std::fs::metadata(path)?;
+    if !metadata.is_file() {
+        return Err(io::Error::other("not a regular file"));
+    }
+    if metadata.len() > max_bytes {
+        return Err(io::Error::other(format!(
+            "{} bytes are too many; at most {max_bytes} are read, so make the file smaller",
+            metadata.len()
+        )));
+    }
+    let mut bytes = Vec::with_capacity(metadata.len() as usize);
+    File::open(path)?.take(max_bytes).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
 
 /// Writes a file under a temporary name in the folder of `path` and renames it to `path` when it is
 /// complete. If `write` fails, an old file stays as it was and nothing else is left behind.

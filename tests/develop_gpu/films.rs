@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use brilliance_renderer::develop::Band;
-use brilliance_renderer::film::Film;
+use brilliance_renderer::film::{Counts, Film};
 use brilliance_renderer::spectrum::{Bins, Illuminant, Spectrum};
 use wgpu::BufferUsages;
 use wgpu::util::DeviceExt;
@@ -78,13 +78,39 @@ pub(crate) fn film_of_all_sorts(bins: u32, passes: u32, random: usize) -> Film {
     film_of(&spectra, [WIDTH, height], bins, passes)
 }
 
+/// A black film with counts of all magnitudes, and none at all.
+pub(crate) fn film_of_counts(passes: u32) -> Film {
+    let levels = || (-60..=60).map(|level| 10_f32.powf(0.125 * level as f32));
+    let mut means = vec![Counts::default()];
+    means.extend(levels().map(|mean| Counts { rays: mean, depth: 0.0, pruned: 0.0 }));
+    means.extend(levels().map(|mean| Counts { rays: 0.0, depth: mean, pruned: 0.0 }));
+    means.extend(levels().map(|mean| Counts { rays: 0.0, depth: 0.0, pruned: mean }));
+    let mut uniform = uniform_numbers();
+    means.extend((0..3000).map(|_| Counts {
+        rays: 10_f32.powf(4.2 * uniform()),
+        depth: 256.0 * uniform(),
+        pruned: 10_f32.powf(-6.0 * uniform()),
+    }));
+    let height = (means.len() as u32).div_ceil(WIDTH);
+    let mut film = Film::new(WIDTH, height, Bins::new(4));
+    for (sums, mean) in film.sums_and_counts_mut().1.iter_mut().zip(means) {
+        (0..passes).for_each(|_| *sums += mean);
+    }
+    (0..passes).for_each(|_| film.complete_pass());
+    film
+}
+
 /// Rows of a film in a buffer of the device.
 fn band(film: &Film, rows: Range<u32>) -> Band {
-    let row = film.size()[0] as usize * film.bins().count();
-    let sums = &film.sums()[rows.start as usize * row..rows.end as usize * row];
+    let width = film.size()[0] as usize;
+    let pixels = rows.start as usize * width..rows.end as usize * width;
+    let bins = film.bins().count();
+    let sums = &film.sums()[bins * pixels.start..bins * pixels.end];
+    let mut contents = bytemuck::cast_slice(sums).to_vec();
+    contents.extend_from_slice(bytemuck::cast_slice::<Counts, u8>(&film.counts()[pixels]));
     let buffer = GRAPHICS.device().create_buffer_init(&wgpu::util::BufferInitDescriptor {
         label: None,
-        contents: bytemuck::cast_slice(sums),
+        contents: &contents,
         usage: BufferUsages::STORAGE | BufferUsages::COPY_DST,
     });
     Band { first_row: rows.start, rows: rows.end - rows.start, buffer }

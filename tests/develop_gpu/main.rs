@@ -1,14 +1,17 @@
 //! A graphics device develops films to the same pictures as the processor.
 
 mod films;
+mod heat;
 mod views;
 
 use std::sync::LazyLock;
 
 use brilliance_renderer::color::srgb_decode;
-use brilliance_renderer::develop::{Band, GpuDeveloper, GpuXyzImage, XyzImage};
+use brilliance_renderer::develop::{
+    Band, GpuCountImage, GpuDeveloper, GpuXyzImage, HeatMap, XyzImage,
+};
 use brilliance_renderer::error::RendererError;
-use brilliance_renderer::film::Film;
+use brilliance_renderer::film::{Film, PixelRect};
 use brilliance_renderer::gpu::Graphics;
 use brilliance_renderer::settings::{DisplaySettings, ToneCurve, WhitePoint};
 use brilliance_renderer::spectrum::Bins;
@@ -22,6 +25,10 @@ static DEVELOPER: LazyLock<GpuDeveloper> =
     LazyLock::new(|| GpuDeveloper::new(&GRAPHICS).expect("its shaders"));
 
 fn expose(film: &Film, bands: &[Band]) -> GpuXyzImage {
+    expose_both(film, bands).0
+}
+
+fn expose_both(film: &Film, bands: &[Band]) -> (GpuXyzImage, GpuCountImage) {
     DEVELOPER.expose(film.size(), film.bins(), film.passes(), bands).expect("an exposed film")
 }
 
@@ -142,6 +149,33 @@ fn a_film_in_bands_is_the_film() {
 }
 
 #[test]
+fn the_mean_spectrum_of_a_region_is_the_processors() {
+    for (bins, passes) in [(4, 1), (16, 3), (64, 1)] {
+        let film = film_of_all_sorts(bins, passes, 600);
+        let [width, height] = film.size();
+        let bands = bands(&film, &[2, height / 2]);
+        for rect in [
+            PixelRect { min: [0, 0], size: [width, height] },
+            PixelRect { min: [3, 1], size: [9, height / 2 + 3] },
+            PixelRect { min: [width - 1, height - 2], size: [1, 1] },
+            PixelRect { min: [2, height / 2], size: [width, 1] },
+            PixelRect { min: [width, height], size: [8, 8] },
+        ] {
+            let found = DEVELOPER
+                .mean_spectrum(film.size(), film.bins(), passes, &bands, rect)
+                .expect("a spectrum");
+            let expected = film.mean_spectrum(rect);
+            // The radiances lie up to 36 orders of magnitude apart, and some are negative.
+            let scale = expected.iter().fold(0.0_f32, |scale, mean| scale.max(mean.abs()));
+            for (found, expected) in found.iter().zip(&expected) {
+                assert!((found - expected).abs() <= 1e-6 * scale, "{rect:?}: {found} {expected}");
+            }
+            assert_eq!(scale > 0.0, rect.within(film.size()).is_some());
+        }
+    }
+}
+
+#[test]
 fn a_picture_of_any_size_develops_to_its_edges() {
     let mut codes = Codes::default();
     for size in [[1, 1], [1, 17], [8, 8], [9, 7], [130, 3], [64, 65]] {
@@ -231,7 +265,7 @@ fn a_lost_device_is_an_error_and_no_panic() {
     let developer = GpuDeveloper::new(&graphics).unwrap();
     let size = [16, 9];
     let bins = Bins::new(4);
-    let image = developer.expose(size, bins, 1, &[]).unwrap();
+    let (image, counts) = developer.expose(size, bins, 1, &[]).unwrap();
     // A device that is destroyed is lost as soon as it has no more work.
     image.read().unwrap();
     graphics.device().destroy();
@@ -239,6 +273,8 @@ fn a_lost_device_is_an_error_and_no_panic() {
         developer.expose(size, bins, 1, &[]).err(),
         image.develop(&DisplaySettings::default()).err(),
         image.read().err(),
+        counts.develop(HeatMap::Rays).err(),
+        counts.read().err(),
         GpuDeveloper::new(&graphics).err(),
     ];
     for error in errors {

@@ -121,6 +121,22 @@ pub(crate) fn nested() -> Case {
     Case::new("nested", Document::from_toml(NESTED, Path::new("")).expect("the scene is right"))
 }
 
+/// The scene of the beam, near to where its light falls, and seen through the prism.
+pub(crate) fn beam() -> Case {
+    let mut document = asset("scenes/beam.toml");
+    document.trace.bins = 6;
+    document.scene.camera.fov_y_radians *= 0.6;
+    Case { passes: 4, ..Case::new("beam", document) }
+}
+
+/// The word, and its image through a prism.
+pub(crate) fn print() -> Case {
+    let mut document = asset("scenes/prism-word.toml");
+    document.trace.split_count = 1.0;
+    document.trace.significance_threshold = 0.05;
+    Case::new("print", document)
+}
+
 pub(crate) fn furnace() -> Case {
     Case::new("furnace", asset("scenes/furnace.toml"))
 }

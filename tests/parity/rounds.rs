@@ -2,8 +2,9 @@
 
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use brilliance_renderer::develop::{LatentImage, Pixels, XyzImage};
+use brilliance_renderer::develop::{CountImage, HeatMap, LatentImage, Pixels, Shown, XyzImage};
 use brilliance_renderer::error::RendererError;
+use brilliance_renderer::film::Counts;
 use brilliance_renderer::settings::DisplaySettings;
 use brilliance_renderer::spectrum::Bins;
 use brilliance_renderer::tracer::{GpuFilm, Tracer};
@@ -80,24 +81,31 @@ fn a_used_film_of_any_size_gives_an_empty_one() {
     let film = TRACER.read(film).unwrap();
     assert_eq!(film.size(), [64, 50]);
     assert!(film.sums().iter().all(|&sum| sum == 0.0));
+    assert!(film.counts().iter().all(|&counts| counts == Counts::default()));
 }
 
 #[test]
 fn an_exposed_film_develops_as_its_copy_in_memory_does() {
     let case = cases::nested();
     let (film, _) = trace(&*TRACER, &case);
-    let LatentImage::Graphics(image) = TRACER.expose(&film).unwrap() else {
-        panic!("the image has left the device");
-    };
+    let image = TRACER.expose(&film).unwrap();
+    assert!(matches!(image, LatentImage::Graphics { .. }), "the image has left the device");
     let settings = DisplaySettings::default();
-    let Pixels::Texture(texture) = LatentImage::Graphics(image).develop(&settings).unwrap() else {
-        panic!("the picture has left the device");
-    };
-    let developed = TRACER.graphics().read_texture(&texture).unwrap();
-    let expected = XyzImage::from_film(&TRACER.read(film).unwrap()).develop_rgba8(&settings);
-    assert_eq!(developed.len(), expected.len());
-    let apart = developed.iter().zip(&expected).map(|(a, b)| a.abs_diff(*b)).max();
-    assert!(apart <= Some(1), "{apart:?}");
+    let film = TRACER.read(film).unwrap();
+    let (light, counts) = (XyzImage::from_film(&film), CountImage::from_film(&film));
+    for shown in [Shown::Color].into_iter().chain(HeatMap::ALL.map(Shown::Heat)) {
+        let Pixels::Texture(texture) = image.develop(&settings, shown).unwrap() else {
+            panic!("the picture has left the device");
+        };
+        let developed = TRACER.graphics().read_texture(&texture).unwrap();
+        let expected = match shown {
+            Shown::Color => light.develop_rgba8(&settings),
+            Shown::Heat(map) => counts.develop_rgba8(map),
+        };
+        assert_eq!(developed.len(), expected.len());
+        let apart = developed.iter().zip(&expected).map(|(a, b)| a.abs_diff(*b)).max();
+        assert!(apart <= Some(1), "{shown:?}: {apart:?}");
+    }
 }
 
 #[test]

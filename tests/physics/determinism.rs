@@ -25,6 +25,7 @@ fn the_film_is_bit_identical_on_any_number_of_threads() {
     for threads in [2, 3, 8] {
         let many = render(&request, threads);
         assert_eq!(one.film.sums(), many.film.sums());
+        assert_eq!(one.film.counts(), many.film.counts());
         assert_eq!(one.statistics, many.statistics);
     }
 }

@@ -1,6 +1,7 @@
 //! The physics of the renderer against formulas, published values and brute force.
 
 mod clumping;
+mod counts;
 mod determinism;
 mod energy;
 mod film;
@@ -8,7 +9,9 @@ mod interface;
 mod intersection;
 mod lights;
 mod matte;
+mod passages;
 mod poison;
+mod prints;
 mod prism;
 mod scenes;
 mod slab;

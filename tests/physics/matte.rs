@@ -70,7 +70,7 @@ fn the_checker_alternates_in_both_directions_and_across_zero() {
 
 #[test]
 fn an_opaque_body_throws_a_shadow() {
-    let matte = Material::Diffuse(Diffuse { reflectance: Spectrum::Flat(0.5) });
+    let matte = Material::Diffuse(Diffuse { reflectance: Spectrum::Flat(0.5), print: None });
     let mut blocker = object(block(DVec3::splat(5.0)), matte);
     blocker.transform.translation = Vec3::new(40.0, 0.0, 40.0);
     let disc = flat_disc(Vec3::new(1.0, 0.0, 1.0), 1.0, 100.0);
@@ -125,7 +125,7 @@ fn two_touching_slabs_show_no_speckle() {
 fn equal_pixels_grow_alike_with_the_passes() {
     // The edge of a square cuts each pixel, and a wall shadows the light that the pixel is lit by.
     let spread = |passes: u32| {
-        let matte = Material::Diffuse(Diffuse { reflectance: Spectrum::Flat(0.0) });
+        let matte = Material::Diffuse(Diffuse { reflectance: Spectrum::Flat(0.0), print: None });
         let mut wall = object(block(DVec3::new(1.0, 500.0, 500.0)), matte);
         wall.transform.translation = Vec3::new(30.0, 0.0, 0.0);
         let lights = Lights { hemisphere: Some(flat_sky(1.0)), ..Lights::default() };

@@ -48,7 +48,13 @@ pub(crate) fn clear(dispersion: Dispersion) -> Material {
 }
 
 pub(crate) fn object(shape: Shape, material: Material) -> Object {
-    Object { name: "test".to_owned(), shape, transform: Transform::default(), material }
+    Object {
+        name: "test".to_owned(),
+        shape,
+        transform: Transform::default(),
+        material,
+        throws_light: false,
+    }
 }
 
 pub(crate) fn brilliant(dispersion: Dispersion) -> Object {
@@ -123,7 +129,7 @@ pub(crate) fn close_camera(width_mm: f32) -> Camera {
     Camera { fov_y_radians: 2.0 * (0.5 * width_mm / distance).atan(), ..camera }
 }
 
-fn rules(settings: &TraceSettings) -> TraceRules {
+pub(crate) fn rules(settings: &TraceSettings) -> TraceRules {
     TraceRules {
         observer: Vec3::Z,
         split_count: settings.split_count,

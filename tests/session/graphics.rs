@@ -4,7 +4,7 @@
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
-use brilliance_renderer::develop::Pixels;
+use brilliance_renderer::develop::{HeatMap, Pixels, Shown};
 use brilliance_renderer::gpu::Graphics;
 use brilliance_renderer::session::{Activity, GraphicsState, RenderRequest, Session};
 use brilliance_renderer::settings::DisplaySettings;
@@ -82,6 +82,11 @@ fn a_request_is_traced_on_the_device_and_never_read_back() {
     watched.session.display(brighter);
     watched.wait(|session| session.picture().is_some_and(|next| next.serial > picture.serial));
     assert!(shows_texture(&watched.session));
+    for shown in HeatMap::ALL.map(Shown::Heat) {
+        watched.session.show(shown);
+        watched.wait(|session| session.picture().is_some_and(|next| next.shown == shown));
+        assert!(shows_texture(&watched.session));
+    }
     assert_eq!(watched.session.progress(), progress, "nothing was traced");
 }
 

@@ -2,6 +2,7 @@
 //! replaced by the processor; and stills.
 
 mod graphics;
+mod readings;
 mod requests;
 mod stills;
 mod watched;

@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, Mutex};
 
-use brilliance_renderer::develop::Pixels;
+use brilliance_renderer::develop::{HeatMap, Pixels, Shown};
 use brilliance_renderer::session::{Activity, Picture};
 use brilliance_renderer::settings::{DisplaySettings, ToneCurve, TraceSettings};
 
@@ -118,6 +118,34 @@ fn display_settings_change_the_picture_without_tracing() {
     assert_ne!(rgba8(&before), rgba8(&after));
     assert_eq!(watched.session.progress(), progress, "nothing was traced");
     assert_eq!(watched.session.requests_made(), 1);
+}
+
+#[test]
+fn heat_maps_are_shown_without_tracing_and_last_beyond_the_next_request() {
+    let mut watched = Watched::new();
+    watched.session.request(request([20, 20], 1));
+    let (color, progress) = watched.wait_for_done([20, 20]);
+    assert_eq!(color.shown, Shown::Color);
+    let mut pictures = vec![color];
+    for shown in HeatMap::ALL.map(Shown::Heat) {
+        watched.session.show(shown);
+        assert_eq!(watched.session.shown(), shown);
+        watched.wait(|session| session.picture().is_some_and(|picture| picture.shown == shown));
+        let picture = watched.session.picture().expect("it is there");
+        assert!(pictures.iter().all(|other| rgba8(other) != rgba8(&picture)), "{shown:?}");
+        pictures.push(picture);
+        assert_eq!(watched.session.progress(), progress, "nothing was traced");
+    }
+    // Heat maps have scales of their own.
+    let last = pictures.pop().expect("four pictures");
+    watched.session.display(DisplaySettings { exposure_ev: 5.0, ..DisplaySettings::default() });
+    watched.wait(|session| session.picture().is_some_and(|p| p.serial > last.serial));
+    assert_eq!(watched.session.picture().map(|p| rgba8(&p) == rgba8(&last)), Some(true));
+    assert_eq!(watched.session.requests_made(), 1);
+
+    watched.session.request(request([24, 20], 1));
+    let (picture, _) = watched.wait_for_done([24, 20]);
+    assert_eq!(picture.shown, Shown::Heat(HeatMap::Pruned));
 }
 
 #[test]

@@ -6,6 +6,7 @@ use std::f32::consts::{FRAC_1_PI, TAU};
 use brilliance_renderer::kernel::mesh::Sides;
 use brilliance_renderer::kernel::walk::Fate;
 use brilliance_renderer::kernel::{interface, intersect, mesh, ray, rng, spread, walk};
+use brilliance_renderer::material::Outside;
 use brilliance_renderer::packed;
 use brilliance_renderer::shaders::join;
 use brilliance_renderer::spectrum::{LAMBDA_MAX_NM, LAMBDA_MIN_NM};
@@ -37,6 +38,7 @@ fn rust_constants() -> Vec<(&'static str, Constant)> {
         ("TOUCHING_MM", F32(ray::TOUCHING_MM)),
         ("PIXEL_STEPS", Vec2U(rng::PIXEL_STEPS)),
         ("LIGHT_STEPS", Vec2U(rng::LIGHT_STEPS)),
+        ("WAVELENGTH_STEP", U32(rng::WAVELENGTH_STEP)),
         ("MIDDLE", U32(rng::MIDDLE)),
         ("MAX_SUBRAYS", U32(spread::MAX_SUBRAYS)),
         ("BISECTIONS", U32(interface::BISECTIONS)),
@@ -48,6 +50,9 @@ fn rust_constants() -> Vec<(&'static str, Constant)> {
         ("SIDES_BOTH", U32(Sides::Both as u32)),
         ("TOP_STACK", U32(intersect::TOP_STACK as u32)),
         ("NUDGE", F32(intersect::NUDGE)),
+        ("OUTSIDE_BARE", U32(Outside::Bare as u32)),
+        ("OUTSIDE_REPEAT", U32(Outside::Repeat as u32)),
+        ("OUTSIDE_MIRROR", U32(Outside::Mirror as u32)),
         ("STACK_LEN", U32(walk::STACK_LEN as u32)),
         ("FATE_KEPT", U32(Fate::Kept as u32)),
         ("FATE_TOO_WEAK", U32(Fate::TooWeak as u32)),

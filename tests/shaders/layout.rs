@@ -5,7 +5,8 @@ use std::mem::{offset_of, size_of};
 
 use brilliance_renderer::kernel::walk::TraceRules;
 use brilliance_renderer::packed::{
-    BvhNode, Instance, PackedDisc, PackedGround, PackedMaterial, PackedSky, PackedTriangle,
+    BvhNode, Instance, PackedDisc, PackedGround, PackedMaterial, PackedPassage, PackedPrint,
+    PackedSky, PackedTriangle,
 };
 use brilliance_renderer::shaders::{Frame, KERNEL, join};
 use glam::{Vec3, Vec4};
@@ -38,6 +39,7 @@ spelled! {
     [u32; 3]: "vec3<u32>",
     [Vec4; 3]: "array<vec4<f32>, 3>",
     TraceRules: "TraceRules",
+    PackedPrint: "PackedPrint",
     PackedSky: "PackedSky",
     PackedGround: "PackedGround",
 }
@@ -87,8 +89,19 @@ fn rust_layouts() -> Vec<Layout> {
         Instance {
             object_from_world, kind, first, count, material, center, interior_is_clear
         }
-        PackedMaterial { index_table, absorption, reflectance, least_absorption }
-        PackedDisc { direction, cos_radius, sin_squared_radius, solid_angle, spectrum, padding }
+        PackedPrint {
+            front, front_offset, tint, primaries, size, outside, texels, levels, projection,
+            projection_stride
+        }
+        PackedMaterial { index_table, absorption, reflectance, least_absorption, print }
+        PackedDisc {
+            direction, cos_radius, sin_squared_radius, solid_angle, spectrum, first_passage,
+            passage_count, padding
+        }
+        PackedPassage {
+            center, radius, direction, cos_bound, normal_in, sin_bound, normal_out, instance,
+            facet_in, facet_out, padding
+        }
         PackedGround { height, square, reflectance }
         PackedSky {
             hemisphere, environment, backdrop, light_spread, cos_observer_shadow,
@@ -220,6 +233,7 @@ fn a_slip_in_a_struct_is_found() {
             "    max: vec3f,\n    primitive_count: u32,\n    min: vec3f,",
         ),
         ("    least_absorption: f32,\n", ""),
+        ("    texels: u32,\n    levels: u32,\n", "    levels: u32,\n    texels: u32,\n"),
         (
             "    solid_angle: f32,\n    spectrum: u32,\n",
             "    spectrum: u32,\n    solid_angle: f32,\n",

@@ -9,7 +9,7 @@ use brilliance::live::Live;
 use brilliance::notice::NoticeKind;
 use brilliance::opening::Opening;
 use brilliance::picture_painter::{install, paint_picture};
-use brilliance_renderer::develop::Pixels;
+use brilliance_renderer::develop::{Pixels, Shown};
 use brilliance_renderer::gpu::Graphics;
 use brilliance_renderer::session::{GraphicsState, Picture, RenderRequest};
 use brilliance_renderer::tracer::Backend;
@@ -184,7 +184,8 @@ fn painted(
 ) -> image::RgbaImage {
     let state = render_state(format);
     install(&state);
-    let picture = Arc::new(Picture { size: PICTURE, pixels: pixels(&state), serial: 1 });
+    let (pixels, shown) = (pixels(&state), Shown::Color);
+    let picture = Arc::new(Picture { size: PICTURE, pixels, shown, serial: 1 });
     let size = side * vec2(PICTURE[0] as f32, PICTURE[1] as f32);
     let rect = Rect::from_min_size(pos2(3.0, 2.0), size);
     let mut harness = Harness::builder()

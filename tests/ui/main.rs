@@ -6,6 +6,8 @@ mod files;
 mod graphics;
 mod inspector;
 mod inspector_rays;
+mod inspector_spectrum;
 mod panel;
 mod picture;
+mod shown;
 mod window;

@@ -44,8 +44,17 @@ pub(crate) fn harness_with(
     services: Services,
 ) -> AppHarness {
     let opening = Opening::Read { document: Box::new(document), file: file.map(Path::to_owned) };
+    build(vec2(1400.0, 1300.0), opening, services)
+}
+
+/// A document in a window of another size.
+pub(crate) fn sized_harness(size: egui::Vec2, document: Document) -> AppHarness {
+    build(size, Opening::Read { document: Box::new(document), file: None }, services())
+}
+
+fn build(size: egui::Vec2, opening: Opening, services: Services) -> AppHarness {
     let mut harness = Harness::builder()
-        .with_size(vec2(1400.0, 1300.0))
+        .with_size(size)
         .with_step_dt(1.0 / 60.0)
         .with_max_steps(30)
         .build_eframe(move |creation| app(creation, opening, services));

@@ -6,6 +6,7 @@ use super::App;
 use crate::command::Command;
 use crate::help::Help;
 use crate::orbit::Orbit;
+use crate::shown;
 
 impl App {
     /// Does what a menu or a key asked for.
@@ -27,6 +28,8 @@ impl App {
             Command::ResetCamera => self.orbit = Orbit::from_camera(&self.scene.camera),
             Command::Turn(delta) => self.orbit.rotate(delta, &self.bounds),
             Command::Zoom(factor) => self.orbit.zoom(factor, [0.0, 0.0], &self.bounds),
+            Command::Show(shown) => self.live.show(shown),
+            Command::ShowNext => self.live.show(shown::next(self.session().shown())),
             Command::TraceWith(backend) => self.live.set_backend(backend),
             Command::RetryGraphics => self.retry_graphics(),
             Command::ToggleDrawing => self.facets.toggle(),

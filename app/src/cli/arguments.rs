@@ -18,6 +18,8 @@ use super::draw::DrawArguments;
 use super::image_size::ImageSize;
 use super::inspect::InspectArguments;
 use super::picture_format::{BitDepth, picture_format};
+use super::shown::ShownChoice;
+use super::spectrum::SpectrumArguments;
 
 /// Most threads worth asking for.
 const MAX_THREADS: u64 = 1024;
@@ -45,6 +47,8 @@ pub(super) enum Command {
     Draw(DrawArguments),
     /// Print the tree of rays that one pixel of the picture is made of
     Inspect(InspectArguments),
+    /// Print the spectrum of a pixel or of a region; needs no display
+    Spectrum(SpectrumArguments),
 }
 
 /// A picture to render.
@@ -86,6 +90,10 @@ pub(super) struct RenderArguments {
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub(super) assignments: Vec<Assignment>,
 
+    /// What a PNG shows; heat maps have fixed logarithmic scales, and black where there is nothing
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) show: ShownChoice,
+
     /// Bits per channel of a PNG [default: 8]
     #[arg(long, value_enum)]
     pub(super) bits: Option<BitDepth>,
@@ -106,7 +114,7 @@ impl Arguments {
         let (name, checked) = match &arguments.command {
             Some(Command::Render(render)) => ("render", render.check()),
             Some(Command::Draw(draw)) => ("draw", draw.check()),
-            Some(Command::Inspect(_)) | None => return arguments,
+            Some(Command::Inspect(_) | Command::Spectrum(_)) | None => return arguments,
         };
         if let Err(fault) = checked {
             let mut command = Self::command();
@@ -134,7 +142,9 @@ impl RenderArguments {
 
     /// What clap can't see: options that contradict each other.
     fn check(&self) -> Result<(), String> {
-        self.format()?;
+        if matches!(self.format()?, StillFormat::Exr { .. }) && self.show != ShownChoice::Color {
+            return Err("an OpenEXR picture holds light; name a .png for a heat map".into());
+        }
         self.check_files()?;
         self.check_assignments()?;
         if self.threads.is_some() && self.backend == BackendChoice::Gpu {
@@ -178,7 +188,7 @@ impl RenderArguments {
 }
 
 /// A whole number in `allowed`.
-fn within(allowed: RangeInclusive<u32>) -> RangedI64ValueParser<u32> {
+pub(super) fn within(allowed: RangeInclusive<u32>) -> RangedI64ValueParser<u32> {
     value_parser!(u32).range(i64::from(*allowed.start())..=i64::from(*allowed.end()))
 }
 

@@ -13,6 +13,8 @@ mod pixel;
 mod progress;
 mod render;
 mod report;
+mod shown;
+mod spectrum;
 mod view;
 
 use std::io::Write as _;
@@ -31,6 +33,7 @@ pub fn run() -> ExitCode {
         Some(Command::Render(render)) => render::render(&render),
         Some(Command::Draw(draw)) => draw::draw(&draw),
         Some(Command::Inspect(inspect)) => inspect::inspect(&inspect),
+        Some(Command::Spectrum(spectrum)) => spectrum::spectrum(&spectrum),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -35,7 +35,8 @@ pub(super) fn render(arguments: &RenderArguments) -> anyhow::Result<()> {
     check_film(&document)?;
     let still = trace(arguments, &document, &cancel)?;
     let base = arguments.output.parent().unwrap_or(Path::new(""));
-    still.write(&arguments.output, format, &document.display, &document.to_toml(base))?;
+    let (display, shown) = (&document.display, arguments.show.into());
+    still.write(&arguments.output, format, display, shown, &document.to_toml(base))?;
 
     let report = Report::new(arguments, &document, &still);
     if let Some(path) = &arguments.stats {
@@ -94,7 +95,7 @@ fn trace(
 }
 
 /// The graphics device to trace on, if any.
-fn open_graphics(backend: Backend) -> anyhow::Result<Option<Graphics>> {
+pub(super) fn open_graphics(backend: Backend) -> anyhow::Result<Option<Graphics>> {
     match backend {
         Backend::Cpu => Ok(None),
         Backend::Auto => Ok(Graphics::open(false)
@@ -114,7 +115,7 @@ fn open_graphics(backend: Backend) -> anyhow::Result<Option<Graphics>> {
 }
 
 /// A flag that Ctrl-C sets from now on.
-fn cancelled_by_ctrl_c() -> anyhow::Result<Arc<AtomicBool>> {
+pub(super) fn cancelled_by_ctrl_c() -> anyhow::Result<Arc<AtomicBool>> {
     let cancel = Arc::new(AtomicBool::new(false));
     let flag = Arc::clone(&cancel);
     ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed))?;
@@ -122,16 +123,17 @@ fn cancelled_by_ctrl_c() -> anyhow::Result<Arc<AtomicBool>> {
 }
 
 /// Refuses a film that would not fit into the memory of most machines.
-fn check_film(document: &Document) -> anyhow::Result<()> {
+pub(super) fn check_film(document: &Document) -> anyhow::Result<()> {
     let [width, height] = document.still.size;
     let bins = document.trace.bins;
     let bytes = Film::bytes(document.still.size, bins);
+    let in_gib = |bytes: u64| bytes as f64 / f64::from(1 << 30);
     ensure!(
         bytes <= Film::MAX_BYTES,
-        "{width}x{height} pixels with {bins} spectral bins need {:.1} GiB, more than the {} GiB \
+        "{width}x{height} pixels with {bins} spectral bins need {:.2} GiB, more than the {:.2} GiB \
          a film may take; ask for a smaller --size or fewer --bins",
-        bytes as f64 / f64::from(1 << 30),
-        Film::MAX_BYTES >> 30,
+        in_gib(bytes),
+        in_gib(Film::MAX_BYTES),
     );
     Ok(())
 }

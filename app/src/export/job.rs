@@ -5,6 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::time::Instant;
 
+use brilliance_renderer::develop::Shown;
 use brilliance_renderer::error::RendererError;
 use brilliance_renderer::session::RenderRequest;
 use brilliance_renderer::settings::DisplaySettings;
@@ -67,7 +68,7 @@ pub fn render_and_write(
     let limits = StillLimits::default();
     let device = job.device.as_ref();
     let still = Still::render(&job.request, limits, device, cancel, |passes, _| progress(passes))?;
-    still.write(&job.path, job.format, &job.display, &job.scene_toml)?;
+    still.write(&job.path, job.format, &job.display, Shown::Color, &job.scene_toml)?;
     let Still { passes, tracing_seconds, tracer, warning, .. } = still;
     Ok(StillReport { passes, tracing_seconds, tracer, warning })
 }

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use brilliance_renderer::camera::Camera;
+use brilliance_renderer::film::{self, Region};
 use eframe::egui::{Color32, Painter, Pos2, Rect, Stroke, StrokeKind, pos2};
 
 /// A rectangle of whole pixels, at least one.
@@ -23,6 +24,15 @@ pub struct Pick {
     pub size: [u32; 2],
     /// What the picture was seen by.
     pub camera: Camera,
+}
+
+impl Pick {
+    /// The part of the picture that the pixels cover.
+    pub fn region(&self) -> Region {
+        let PixelRect { first, last } = self.pixels;
+        let size = [0, 1].map(|axis| last[axis] - first[axis] + 1);
+        Region::of(film::PixelRect { min: first, size }, self.size)
+    }
 }
 
 impl PixelRect {

@@ -19,7 +19,7 @@ use brilliance_renderer::camera::Camera;
 use brilliance_renderer::inspect::RayTree;
 use brilliance_renderer::scene::Scene;
 use brilliance_renderer::settings::TraceSettings;
-use eframe::egui::{CollapsingHeader, Painter, Rect, RichText, Ui};
+use eframe::egui::{CollapsingHeader, Painter, Pos2, Rect, RichText, Ui};
 
 use super::Pick;
 use crate::row::{SliderRow, choice};
@@ -31,6 +31,10 @@ use projection::Projection;
 use recording::Recording;
 use table::Table;
 use traced::Traced;
+
+/// A pointer that has moved less than this since it was pressed, in points, still means the pixel that
+/// it has picked, and none of the rays that begin there.
+const STILL: f32 = 12.0;
 
 /// In which order the rays are listed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -73,6 +77,8 @@ pub(super) struct Rays {
     veil: f32,
     /// A ray that was pointed at in the picture, to be brought into sight in the table.
     bring: Option<u32>,
+    /// Where the pointer was pressed last.
+    pressed_at: Option<Pos2>,
 }
 
 impl Default for Rays {
@@ -84,6 +90,7 @@ impl Default for Rays {
             focus: Focus::default(),
             veil: Self::VEIL,
             bring: None,
+            pressed_at: None,
         }
     }
 }
@@ -170,9 +177,16 @@ impl Rays {
             projection: Projection::new(camera, size, room),
             room,
         };
-        let pointer = painter.ctx().input(|input| {
-            input.pointer.hover_pos().filter(|at| room.contains(*at) && !input.pointer.any_down())
-        });
+        let (pointer, is_down) =
+            painter.ctx().input(|input| (input.pointer.hover_pos(), input.pointer.any_down()));
+        if is_down {
+            self.pressed_at = pointer;
+        }
+        let is_aimed = |at: &Pos2| {
+            let has_moved = self.pressed_at.is_none_or(|pressed| pressed.distance(*at) > STILL);
+            room.contains(*at) && has_moved && !is_down
+        };
+        let pointer = pointer.filter(is_aimed);
         let in_picture = drawing.paint(painter, pointer);
         if in_picture != self.focus.in_picture {
             self.focus.in_picture = in_picture;

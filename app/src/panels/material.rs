@@ -1,7 +1,8 @@
 //! What the stone is made of.
 
 use brilliance_renderer::material::{
-    Dielectric, Dispersion, LibraryMaterial, Material, find, library,
+    Dielectric, Dispersion, ImageOrigin, Layout, LibraryMaterial, Material, Planar, Print, find,
+    library,
 };
 use eframe::egui::{ComboBox, Key, PopupCloseBehavior, RichText, ScrollArea, TextEdit, Ui};
 
@@ -16,11 +17,33 @@ pub(super) fn show(ui: &mut Ui, material: &mut Material, filter: &mut String) {
     }
     match material {
         Material::Dielectric(dielectric) => index_ui(ui, dielectric),
-        Material::Diffuse(_) => {
+        Material::Diffuse(diffuse) => {
             let text = RichText::new("A matte surface: nothing enters it.").color(theme::TEXT_WEAK);
             ui.label(text);
+            if let Some(print) = &diffuse.print {
+                print_ui(ui, print);
+            }
         }
     }
+}
+
+/// What is printed on a matte surface, and how large.
+fn print_ui(ui: &mut Ui, print: &Print) {
+    let [columns, rows] = print.image.size;
+    let place = match &print.image.origin {
+        ImageOrigin::File(path) => path.display().to_string(),
+        ImageOrigin::Library(_) => "An image that ships with the program.".to_owned(),
+        ImageOrigin::Mesh(_) => "The texture that the mesh brings from its own file.".to_owned(),
+    };
+    readout(ui, "Print", &place, &print.image.name());
+    let size = match print.layout {
+        Layout::Planar(Planar { size_mm: [width, height], .. }) => {
+            format!("{width} \u{d7} {height} mm")
+        }
+        Layout::Coordinates => "As the mesh says".to_owned(),
+    };
+    let tooltip = format!("On the object, before it is scaled. {columns} \u{d7} {rows} texels.");
+    readout(ui, "Print size", &tooltip, &size);
 }
 
 fn shown_name(material: &Material) -> String {

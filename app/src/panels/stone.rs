@@ -1,10 +1,11 @@
 //! The shape of the stone.
 
 use brilliance_renderer::cuts::{RoundBrilliant, StandardProportions};
+use brilliance_renderer::material::Material;
 use brilliance_renderer::scene::{MeshSource, Object, Shape};
 use eframe::egui::Ui;
 
-use crate::row::{SliderRow, combo, labelled, readout, wide};
+use crate::row::{SliderRow, combo, labelled, readout, switch, wide};
 
 /// Which object of the scene is edited.
 pub(super) fn object_ui(ui: &mut Ui, objects: &[Object], selected: &mut usize) {
@@ -27,7 +28,25 @@ pub(super) fn show(ui: &mut Ui, object: &mut Object) {
         Shape::Polyhedron(facets) => {
             readout(ui, "Facets", "Planes that cut this stone.", &facets.len().to_string());
         }
-        Shape::Mesh(source) => mesh_ui(ui, source),
+        Shape::Mesh(source) => {
+            mesh_ui(ui, source);
+            return;
+        }
+    }
+    throwing_ui(ui, object);
+}
+
+fn throwing_ui(ui: &mut Ui, object: &mut Object) {
+    // Only through what is clear does light get; what asks for it in vain may still take that back.
+    if object.throws_light || matches!(object.material, Material::Dielectric(_)) {
+        switch(
+            ui,
+            "Throws light",
+            "Throws light on matte surfaces: the lamps' light that goes straight through two facets \
+             brightens and colours the stone's shadow. Light reflected inside of the stone, light of \
+             the sky, and light through a second stone do not arrive.",
+            &mut object.throws_light,
+        );
     }
 }
 

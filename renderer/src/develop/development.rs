@@ -33,6 +33,16 @@ pub(super) struct Development {
     padding_1: u32,
 }
 
+/// Linear Rec. 709 RGB on its way to the display.
+pub(super) struct Stages<T> {
+    /// Adapted and exposed.
+    pub(super) exposed: T,
+    /// After the tone curve.
+    pub(super) toned: T,
+    /// Moved into 0..=1; black where there is no colour.
+    pub(super) shown: T,
+}
+
 impl Development {
     /// Bradford-adapts the white point, as a film of these bins records it, to the display's white.
     pub(super) fn new(settings: &DisplaySettings, bins: Bins) -> Self {
@@ -73,20 +83,32 @@ impl Development {
         }
     }
 
+    /// The stages of one colour.
+    pub(super) fn stages_of(&self, xyz: [f32; 3]) -> Stages<[f32; 3]> {
+        let Stages { exposed, toned, shown } = self.stages(xyz.map(f32x8::splat));
+        let first = |rgb: [f32x8; 3]| rgb.map(|channel| channel.to_array()[0]);
+        Stages { exposed: first(exposed), toned: first(toned), shown: first(shown) }
+    }
+
     /// Linear display RGB in 0..=1. What is not a finite colour of positive luminance is black.
     fn develop(&self, xyz: [f32x8; 3]) -> [f32x8; 3] {
+        self.stages(xyz).shown
+    }
+
+    #[inline]
+    fn stages(&self, xyz: [f32x8; 3]) -> Stages<[f32x8; 3]> {
         let y = dot(self.luminance_from_xyz, xyz);
         let rows = [self.red_from_xyz, self.green_from_xyz, self.blue_from_xyz];
-        let rgb = rows.map(|row| dot(row, xyz));
-        let is_color = y.simd_gt(f32x8::ZERO) & (rgb[0] + rgb[1] + rgb[2]).is_finite();
+        let exposed = rows.map(|row| dot(row, xyz));
+        let is_color = y.simd_gt(f32x8::ZERO) & (exposed[0] + exposed[1] + exposed[2]).is_finite();
         let gain = self.tone_curve.gain(y);
-        let rgb = rgb.map(|channel| channel * gain);
+        let toned = exposed.map(|channel| channel * gain);
         let shown = if self.gamut_mapping == 1 {
-            gamut::desaturate(rgb, y * gain)
+            gamut::desaturate(toned, y * gain)
         } else {
-            gamut::clip(rgb)
+            gamut::clip(toned)
         };
-        shown.map(|channel| channel & is_color)
+        Stages { exposed, toned, shown: shown.map(|channel| channel & is_color) }
     }
 }
 

@@ -1,28 +1,35 @@
 //! Developing on a graphics device: the film is neither traced again nor read back.
 
+mod count_image;
 mod expose;
+mod region;
 mod xyz_image;
 
 use wgpu::{BindingResource, BufferUsages, ComputePipeline, Device, TextureFormat, TextureUsages};
 
+pub use count_image::GpuCountImage;
 pub use expose::Band;
 pub use xyz_image::GpuXyzImage;
 
+use super::heat::KNOTS;
 use super::tone_curve::REINHARD_WHITE;
 use crate::error::RendererError;
+use crate::film::Counts;
 use crate::gpu::{Graphics, bind};
 use crate::settings::ToneCurve;
-use crate::shaders::{Constant, DEVELOP, EXPOSE, ShaderModule, append, print};
+use crate::shaders::{Constant, DEVELOP, EXPOSE, HEAT, REGION, ShaderModule, append, print};
 
-/// Side of the square of pixels that a workgroup takes.
+/// Side of the square of pixels, or of rows and bins, that a workgroup takes.
 const WORKGROUP_SIDE: u32 = 8;
 
-/// Exposes and develops films in the memory of a graphics device. Cloning shares it.
+/// Exposes, develops and measures films in the memory of a graphics device. Cloning shares it.
 #[derive(Clone, Debug)]
 pub struct GpuDeveloper {
     graphics: Graphics,
     expose: ComputePipeline,
+    sum_rows: ComputePipeline,
     develop: ComputePipeline,
+    heat: ComputePipeline,
 }
 
 impl GpuDeveloper {
@@ -31,15 +38,17 @@ impl GpuDeveloper {
     /// # Errors
     /// The device refuses the shaders, or fails.
     pub fn new(graphics: &Graphics) -> Result<Self, RendererError> {
-        let [expose, develop] = graphics.guard("compile the shaders that develop", |device| {
-            // What a device can't make shows now, and not with the first picture.
-            let _ = (exposed_texture(device, [1, 1]), developed_texture(device, [1, 1]));
-            [pipeline(device, "expose", EXPOSE), pipeline(device, "develop", DEVELOP)]
-        })?;
-        Ok(Self { graphics: graphics.clone(), expose, develop })
+        let [expose, sum_rows, develop, heat] =
+            graphics.guard("compile the shaders that develop", |device| {
+                // What a device can't make shows now, and not with the first picture.
+                let _ = (exposed_texture(device, [1, 1]), developed_texture(device, [1, 1]));
+                [("expose", EXPOSE), ("sum rows", REGION), ("develop", DEVELOP), ("heat", HEAT)]
+                    .map(|(label, modules)| pipeline(device, label, modules))
+            })?;
+        Ok(Self { graphics: graphics.clone(), expose, sum_rows, develop, heat })
     }
 
-    /// Runs `pipeline` over a texture's pixels; each of `runs` binds its resources in the order of
+    /// Runs `pipeline` over pixels, or bins and rows; each of `runs` binds its resources in the order of
     /// their numbers and says how many columns and rows it covers.
     fn submit<'a>(
         &self,
@@ -73,7 +82,7 @@ impl GpuDeveloper {
     }
 }
 
-/// A texture for X, Y and Z.
+/// A texture for X, Y and Z, or for the three counts.
 fn exposed_texture(device: &Device, size: [u32; 2]) -> wgpu::Texture {
     texture(device, size, TextureFormat::Rgba32Float, &[])
 }
@@ -124,9 +133,12 @@ fn pipeline(device: &Device, label: &str, modules: &[ShaderModule]) -> ComputePi
 pub(super) fn source(modules: &[ShaderModule]) -> String {
     let mut source = print([
         ("WORKGROUP_SIDE", Constant::U32(WORKGROUP_SIDE)),
+        ("COLUMNS_PER_GROUP", Constant::U32(region::COLUMNS_PER_GROUP)),
         ("REINHARD", Constant::U32(ToneCurve::Reinhard as u32)),
         ("FILMIC", Constant::U32(ToneCurve::Filmic as u32)),
         ("REINHARD_WHITE", Constant::F32(REINHARD_WHITE)),
+        ("COUNTS_LEN", Constant::U32(Counts::LEN as u32)),
+        ("KNOTS", Constant::U32(KNOTS as u32)),
     ]);
     append(&mut source, modules);
     source
@@ -140,7 +152,7 @@ mod tests {
     /// A module needs only what stands before it.
     #[test]
     fn every_prefix_of_the_shaders_is_valid() {
-        for modules in [EXPOSE, DEVELOP] {
+        for modules in [EXPOSE, REGION, DEVELOP, HEAT] {
             for count in 0..=modules.len() {
                 parse(&source(&modules[..count]));
             }

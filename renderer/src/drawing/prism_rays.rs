@@ -140,6 +140,7 @@ impl PrismSetup {
                 dispersion: Dispersion::Linear { n_d: self.n_d, dispersion_bg: self.dispersion_bg },
                 absorption_per_mm: None,
             }),
+            throws_light: false,
         };
         let lamp = DiscLight {
             name: "Lamp".to_owned(),

@@ -4,8 +4,10 @@ use std::f32::consts::{FRAC_1_PI, TAU};
 
 use glam::Vec3;
 
-use crate::kernel::deposit::deposit;
+use crate::kernel::deposit::{Reflectance, deposit};
 use crate::kernel::intersect::is_occluded;
+use crate::kernel::passage::shine_through;
+use crate::kernel::print::print_reflectance;
 use crate::kernel::ray::{GROUND, Hit, Ray};
 use crate::kernel::rng;
 use crate::kernel::walk::Walk;
@@ -19,7 +21,7 @@ use crate::packed::{NONE, PackedDisc};
 pub fn shade_diffuse(walk: &mut Walk<'_>, ray: &Ray, hit: &Hit) {
     let scene = walk.scene;
     let sky = &scene.sky;
-    let reflectance = reflectance_at(walk, ray, hit);
+    let reflectance = &reflectance_at(walk, ray, hit);
     let normal = if ray.direction.dot(hit.normal) > 0.0 { -hit.normal } else { hit.normal };
     let disc_count = scene.discs.len() as u32;
     let has_sky = sky.hemisphere != NONE || sky.environment != NONE;
@@ -34,6 +36,7 @@ pub fn shade_diffuse(walk: &mut Walk<'_>, ray: &Ray, hit: &Hit) {
             let disc = &scene.discs[light as usize];
             direction = direction_on_disc(disc, sample);
             scale = FRAC_1_PI * disc.solid_angle * direction.dot(normal);
+            shine_through(walk, ray, hit, normal, light, direction, reflectance);
         }
         if scale <= 0.0 || is_shadowed(walk, ray, hit, direction) {
             continue;
@@ -51,18 +54,22 @@ pub fn shade_diffuse(walk: &mut Walk<'_>, ray: &Ray, hit: &Hit) {
     }
 }
 
-/// Row of the reflectance of the surface where the ray ends.
+/// The reflectance of the surface where the ray ends.
 #[inline]
-pub fn reflectance_at(walk: &Walk<'_>, ray: &Ray, hit: &Hit) -> u32 {
+pub fn reflectance_at(walk: &Walk<'_>, ray: &Ray, hit: &Hit) -> Reflectance {
     let scene = walk.scene;
     if hit.instance != GROUND {
-        return scene.material_of(hit.instance).reflectance;
+        let material = scene.material_of(hit.instance);
+        if material.print.texels == NONE {
+            return Reflectance::bare(material.reflectance);
+        }
+        return print_reflectance(scene, material, hit, ray.origin);
     }
     let square_x = (ray.origin.x / scene.ground.square).floor();
     let square_y = (ray.origin.y / scene.ground.square).floor();
     let half = (square_x + square_y) * 0.5;
     let is_odd = half != half.floor();
-    scene.ground.reflectance[usize::from(is_odd)]
+    Reflectance::bare(scene.ground.reflectance[usize::from(is_odd)])
 }
 
 /// Whether something stands between the surface and the light in `direction`.

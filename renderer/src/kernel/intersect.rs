@@ -17,7 +17,8 @@ pub const NUDGE: f32 = 1e-5;
 /// The nearest surface along `ray`; [`Hit::MISS`] where there is none.
 ///
 /// A ray inside a body meets that body's own surface before any that touches it.
-#[inline]
+#[expect(clippy::inline_always, reason = "most of what following a ray is, though others call it")]
+#[inline(always)]
 pub fn find_intersection(scene: &PackedScene, ray: &Ray) -> Hit {
     let mut own = Hit::MISS;
     if ray.medium != NONE {
@@ -76,7 +77,7 @@ pub fn meet_bodies(scene: &PackedScene, ray: &Ray, limit: f32, any: bool) -> Hit
             continue;
         }
         for slot in node.first..node.first + node.primitive_count {
-            let hit = meet_instance(scene, ray, scene.top_order[slot as usize], nearest.distance);
+            let hit = meet_instance(scene, ray, scene.words[slot as usize], nearest.distance);
             if hit.distance < nearest.distance {
                 nearest = hit;
                 if any {

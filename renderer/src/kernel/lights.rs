@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use crate::kernel::deposit::deposit;
+use crate::kernel::deposit::{Reflectance, deposit};
 use crate::kernel::ray::Ray;
 use crate::kernel::walk::Walk;
 use crate::packed::{NONE, PackedDisc};
@@ -97,7 +97,7 @@ pub fn ray_light(walk: &mut Walk<'_>, ray: &Ray) {
     let scene = walk.scene;
     let sky = &scene.sky;
     if ray.depth == 0 && sky.backdrop != NONE {
-        deposit(walk, ray, sky.backdrop, NONE, 1.0);
+        deposit(walk, ray, sky.backdrop, &Reflectance::WHOLE, 1.0);
         return;
     }
     let spread_length = ray.spread.length();
@@ -108,7 +108,7 @@ pub fn ray_light(walk: &mut Walk<'_>, ray: &Ray) {
         }
         let amount = overlap_amount(ray, &cone);
         if amount > 0.0 {
-            deposit(walk, ray, disc.spectrum, NONE, amount);
+            deposit(walk, ray, disc.spectrum, &Reflectance::WHOLE, amount);
         }
     }
     let mut visible = 1.0;
@@ -123,12 +123,12 @@ pub fn ray_light(walk: &mut Walk<'_>, ray: &Ray) {
         }
     }
     if sky.environment != NONE && visible > 0.0 {
-        deposit(walk, ray, sky.environment, NONE, visible);
+        deposit(walk, ray, sky.environment, &Reflectance::WHOLE, visible);
     }
     if sky.hemisphere != NONE && visible > 0.0 {
         let amount = overlap_hemisphere(ray);
         if amount > 0.0 {
-            deposit(walk, ray, sky.hemisphere, NONE, visible * amount);
+            deposit(walk, ray, sky.hemisphere, &Reflectance::WHOLE, visible * amount);
         }
     }
 }

@@ -6,6 +6,7 @@
 //!
 //! The flow of one camera ray:
 //! [`camera`] → [`trace`] ⟲ ([`intersect`] → [`fork`] or [`diffuse`] or [`lights`] → [`deposit`]).
+//! Where bodies throw light, [`diffuse`] asks [`passage`] too.
 
 pub mod absorption;
 pub mod camera;
@@ -17,6 +18,8 @@ pub mod interface;
 pub mod intersect;
 pub mod lights;
 pub mod mesh;
+pub mod passage;
+pub mod print;
 pub mod ray;
 pub mod rng;
 pub mod spread;

@@ -20,6 +20,8 @@ pub fn unit_float(word: u32) -> f32 {
 pub const PIXEL_STEPS: [u32; 2] = [3_679_390_609, 3_152_041_523];
 /// The steps of the other two dimensions.
 pub const LIGHT_STEPS: [u32; 2] = [2_700_274_807, 2_313_257_605];
+/// The step of the wavelength in its bin: 2³² over the golden ratio, which no sum of the others meets.
+pub const WAVELENGTH_STEP: u32 = 2_654_435_769;
 /// ½ in fixed point.
 pub const MIDDLE: u32 = 1 << 31;
 
@@ -35,6 +37,13 @@ pub fn pixel_sample(pass_index: u32) -> [f32; 2] {
 #[inline]
 pub fn light_sample(seed: u32, pass_index: u32) -> [f32; 2] {
     sample(LIGHT_STEPS, [hash(seed), hash(seed ^ 0x9e37_79b9)], pass_index)
+}
+
+/// A number in 0..1 that fills a bin's wavelengths evenly as the passes go by, the middle first. Like
+/// that of the pixel it is the same for all pixels, and so no noise of colours.
+#[inline]
+pub fn wavelength_sample(pass_index: u32) -> f32 {
+    unit_float(MIDDLE.wrapping_add(pass_index.wrapping_mul(WAVELENGTH_STEP)))
 }
 
 #[inline]

@@ -18,11 +18,13 @@ pub fn trace(walk: &mut Walk<'_>, camera_ray: &Ray) {
 }
 
 /// Takes the next ray that waits to the next surface, or to the lights.
-#[inline]
+#[expect(clippy::inline_always, reason = "a part of the loop above, though others call it too")]
+#[inline(always)]
 pub fn follow(walk: &mut Walk<'_>) {
     let scene = walk.scene;
     let mut ray = walk.pop();
     walk.tally.segments += 1;
+    walk.tally.depth = walk.tally.depth.max(ray.depth);
     let mut hit = Hit::MISS;
     for attempt in 0..2 {
         if attempt > 0 {

@@ -49,6 +49,8 @@ pub enum Fate {
 pub struct Tally {
     /// Rays traced, shadow rays included.
     pub segments: u32,
+    /// Most interfaces that a traced ray had met.
+    pub depth: u32,
     /// Energy that reached a light, the sky, the dark or an opaque surface.
     pub returned: f32,
     /// Energy absorbed in coloured bodies.

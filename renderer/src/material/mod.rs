@@ -1,10 +1,14 @@
 //! What an object is made of.
 
 mod dispersion;
+mod image;
 mod library;
+mod print;
 
 pub use dispersion::{Dispersion, SellmeierTerm};
+pub use image::{Image, ImageOrigin};
 pub use library::{Category, Figures, LibraryMaterial, Measurement, find, library};
+pub use print::{Layout, Outside, Planar, Print};
 
 use crate::spectrum::Spectrum;
 
@@ -33,4 +37,6 @@ pub struct Dielectric {
 pub struct Diffuse {
     /// Reflectance in 0..=1.
     pub reflectance: Spectrum,
+    /// What is printed on it.
+    pub print: Option<Print>,
 }

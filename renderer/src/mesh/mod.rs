@@ -8,7 +8,7 @@ pub use edges::MeshFault;
 
 use std::sync::OnceLock;
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
 use crate::accel::MeshHierarchy;
 use crate::error::RendererError;
@@ -25,6 +25,9 @@ pub struct Mesh {
     /// Per triangle the flat facet it is part of: triangles that lie in one plane and hang together
     /// by edges share a number, so that a ray that leaves one need not be tested against the others.
     pub facet: Vec<u32>,
+    /// Per triangle the texture coordinates of its corners: from (0, 0) at the upper left of an
+    /// image to (1, 1) at its lower right. Empty where the mesh has none.
+    pub coordinates: Vec<[Vec2; 3]>,
     fault: Option<MeshFault>,
     hierarchy: OnceLock<MeshHierarchy>,
 }
@@ -42,8 +45,25 @@ impl Mesh {
     /// No triangle left, too many, an index beyond the positions, or a position that is not finite;
     /// names the triangle or vertex.
     pub fn new(positions: Vec<Vec3>, triangles: Vec<[u32; 3]>) -> Result<Self, RendererError> {
+        Self::with_coordinates(positions, triangles, Vec::new())
+    }
+
+    /// The same with texture coordinates: those of the corners of each triangle, or none at all.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new), and coordinates that are not finite.
+    pub fn with_coordinates(
+        positions: Vec<Vec3>,
+        triangles: Vec<[u32; 3]>,
+        coordinates: Vec<[Vec2; 3]>,
+    ) -> Result<Self, RendererError> {
         check(&positions, &triangles)?;
+        check_coordinates(&triangles, &coordinates)?;
+        let kept = triangles.iter().zip(coordinates);
+        let kept = kept.filter(|(corners, _)| has_three_corners(corners, &positions));
+        let coordinates = kept.map(|(_, coordinates)| coordinates).collect();
         let mut mesh = Self::welded(positions, triangles, &[])?;
+        mesh.coordinates = coordinates;
         let edges = mesh.orient();
         mesh.facet = facets::flat_facets(&mesh.positions, &mesh.triangles, &edges);
         Ok(mesh)
@@ -102,13 +122,10 @@ impl Mesh {
         mut triangles: Vec<[u32; 3]>,
         facet: &[u32],
     ) -> Result<Self, RendererError> {
-        let has_three_corners = |corners: &[u32; 3]| {
-            let [a, b, c] = corners.map(|v| positions[v as usize]);
-            a != b && b != c && c != a
-        };
-        let kept = triangles.iter().zip(facet).filter(|(corners, _)| has_three_corners(corners));
+        let kept = triangles.iter().zip(facet);
+        let kept = kept.filter(|(corners, _)| has_three_corners(corners, &positions));
         let facet = kept.map(|(_, facet)| *facet).collect();
-        triangles.retain(has_three_corners);
+        triangles.retain(|corners| has_three_corners(corners, &positions));
         let index_of = weld::weld(&mut positions, &triangles);
         for corners in &mut triangles {
             *corners = corners.map(|v| index_of[v as usize]);
@@ -119,7 +136,8 @@ impl Mesh {
                     .to_owned(),
             ));
         }
-        Ok(Self { positions, triangles, facet, fault: None, hierarchy: OnceLock::new() })
+        let (coordinates, fault) = (Vec::new(), None);
+        Ok(Self { positions, triangles, facet, coordinates, fault, hierarchy: OnceLock::new() })
     }
 
     /// Records whether the mesh is closed and, if it is, turns it outside out.
@@ -138,9 +156,38 @@ impl Mesh {
             for corners in &mut self.triangles {
                 corners.swap(1, 2);
             }
+            for corners in &mut self.coordinates {
+                corners.swap(1, 2);
+            }
             edges = Edges::new(&self.triangles, self.positions.len());
         }
         edges
+    }
+}
+
+/// Whether no two corners of a triangle are at one place.
+fn has_three_corners(corners: &[u32; 3], positions: &[Vec3]) -> bool {
+    let [a, b, c] = corners.map(|v| positions[v as usize]);
+    a != b && b != c && c != a
+}
+
+fn check_coordinates(
+    triangles: &[[u32; 3]],
+    coordinates: &[[Vec2; 3]],
+) -> Result<(), RendererError> {
+    if !coordinates.is_empty() && coordinates.len() != triangles.len() {
+        return Err(RendererError::Invalid(format!(
+            "{} triangles but {} sets of texture coordinates; give one per triangle, or none",
+            triangles.len(),
+            coordinates.len()
+        )));
+    }
+    let is_finite = |corners: &[Vec2; 3]| corners.iter().all(|corner| corner.is_finite());
+    match coordinates.iter().position(|corners| !is_finite(corners)) {
+        Some(t) => Err(RendererError::Invalid(format!(
+            "the texture coordinates of triangle {t} are not finite; unwrap the mesh again"
+        ))),
+        None => Ok(()),
     }
 }
 

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use glam::{DVec3, Mat3, Vec4};
 
+use super::passages::Polygon;
 use super::{BvhNode, CONVEX, Instance, MESH, PLANE_LANES, PackedTriangle};
 use crate::accel::{Bounds, Hierarchy, MAX_DEPTH};
 use crate::error::RendererError;
@@ -21,21 +22,35 @@ pub(super) struct PackedBodies {
     pub(super) planes: Vec<f32>,
     pub(super) nodes: Vec<BvhNode>,
     pub(super) triangles: Vec<PackedTriangle>,
+    pub(super) throwers: Vec<Thrower>,
+}
+
+/// A clear convex body whose light falls on matte surfaces.
+pub(super) struct Thrower {
+    pub(super) name: String,
+    pub(super) instance: u32,
+    pub(super) material: u32,
+    pub(super) facets: Vec<Polygon>,
+    /// Largest distance of two of its points, in mm.
+    pub(super) size_mm: f32,
 }
 
 /// Packs the objects; `materials` is the packed material of each.
 pub(super) fn pack(scene: &Scene, materials: &[u32]) -> Result<PackedBodies, RendererError> {
     let mut bodies = PackedBodies::default();
     let mut bounds = Vec::with_capacity(scene.objects.len());
+    // A mesh that is printed on by its coordinates is packed apart: its facets are its triangles.
     let mut mesh_roots = HashMap::new();
     for (object, &material) in scene.objects.iter().zip(materials) {
         check_transform(object)?;
+        check_throwing(object)?;
         let half_spaces = match &object.shape {
             Shape::Mesh(source) => {
                 check_mesh(object, &source.mesh)?;
+                let is_printed = object.is_printed_by_coordinates();
                 let root = *mesh_roots
-                    .entry(Arc::as_ptr(&source.mesh))
-                    .or_insert_with(|| bodies.push_mesh(&source.mesh));
+                    .entry((Arc::as_ptr(&source.mesh), is_printed))
+                    .or_insert_with(|| bodies.push_mesh(&source.mesh, is_printed));
                 bounds.push(bodies.push_mesh_instance(root, &source.mesh, object, material));
                 continue;
             }
@@ -63,6 +78,17 @@ fn check_transform(object: &Object) -> Result<(), RendererError> {
         "{}: the transform must be finite, with a unit rotation and a scale above 0",
         object.name
     )))
+}
+
+/// Light can be told to go straight through what is clear and known to be convex.
+fn check_throwing(object: &Object) -> Result<(), RendererError> {
+    let fault = match (&object.shape, &object.material) {
+        _ if !object.throws_light => return Ok(()),
+        (Shape::Mesh(_), _) => "a mesh can't throw light: only cuts and polyhedra can",
+        (_, Material::Diffuse(_)) => "it is matte, and only what is clear can throw light",
+        _ => return Ok(()),
+    };
+    Err(RendererError::Invalid(format!("{}: {fault}; switch throws_light off", object.name)))
 }
 
 /// A refracting mesh must enclose a volume.
@@ -99,8 +125,17 @@ impl PackedBodies {
         let bounds = Bounds::of(
             solid.vertices.iter().map(|vertex| object.transform.point(vertex.as_vec3())),
         );
+        if object.throws_light {
+            self.throwers.push(Thrower {
+                name: object.name.clone(),
+                instance: self.instances.len() as u32,
+                material,
+                facets: Polygon::of(solid, object),
+                size_mm: (bounds.max - bounds.min).length(),
+            });
+        }
         self.instances.push(Instance {
-            object_from_world: [Vec4::ZERO; 3],
+            object_from_world: object_from_world(&object.transform),
             kind: CONVEX,
             first,
             count: count as u32,
@@ -111,8 +146,9 @@ impl PackedBodies {
         bounds
     }
 
-    /// Appends the mesh's hierarchy and returns its root node.
-    fn push_mesh(&mut self, mesh: &Mesh) -> u32 {
+    /// Appends the mesh's hierarchy and returns its root node. Where it `is_printed` on, each of its
+    /// triangles is a facet, by whose number its projection is found.
+    fn push_mesh(&mut self, mesh: &Mesh, is_printed: bool) -> u32 {
         let root = self.nodes.len() as u32;
         let first_triangle = self.triangles.len() as u32;
         let hierarchy = mesh.hierarchy();
@@ -121,6 +157,12 @@ impl PackedBodies {
             BvhNode { first: node.first + offset, ..*node }
         }));
         self.triangles.extend_from_slice(&hierarchy.triangles);
+        if is_printed {
+            for (slot, triangle) in self.triangles[first_triangle as usize..].iter_mut().enumerate()
+            {
+                triangle.facet = slot as u32;
+            }
+        }
         root
     }
 
@@ -131,14 +173,10 @@ impl PackedBodies {
         object: &Object,
         material: u32,
     ) -> Bounds {
-        let Transform { translation, rotation, scale } = object.transform;
-        let inverse = Mat3::from_quat(rotation.conjugate()) * (1.0 / scale);
-        let offset = -(inverse * translation);
-        let row = |i: usize| inverse.row(i).extend(offset[i]);
         let bounds =
             Bounds::of(mesh.positions.iter().map(|&position| object.transform.point(position)));
         self.instances.push(Instance {
-            object_from_world: [row(0), row(1), row(2)],
+            object_from_world: object_from_world(&object.transform),
             kind: MESH,
             first: root,
             count: 0,
@@ -157,6 +195,14 @@ impl PackedBodies {
             instance.interior_is_clear = u32::from(!met_by_other && !met_by_ground);
         }
     }
+}
+
+/// The rows of the matrix that takes points of the world into the object's frame.
+fn object_from_world(transform: &Transform) -> [Vec4; 3] {
+    let Transform { translation, rotation, scale } = *transform;
+    let inverse = Mat3::from_quat(rotation.conjugate()) * (1.0 / scale);
+    let offset = -(inverse * translation);
+    [0, 1, 2].map(|i| inverse.row(i).extend(offset[i]))
 }
 
 /// Normal and distance of a facet plane in the world.

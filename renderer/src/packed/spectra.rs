@@ -2,11 +2,14 @@
 
 use std::f32::consts::PI;
 
-use super::{INDEX_TABLE_LEN, NONE, PackedDisc, PackedGround, PackedMaterial, PackedSky};
+use super::prints::PrintWords;
+use super::{
+    INDEX_TABLE_LEN, NONE, PackedDisc, PackedGround, PackedMaterial, PackedPrint, PackedSky,
+};
 use crate::error::RendererError;
 use crate::light::{Lights, SkyLight};
 use crate::material::{Dielectric, Material};
-use crate::scene::{Ground, Scene};
+use crate::scene::{Ground, Object, Scene, Shape};
 use crate::spectrum::{Bins, LAMBDA_MIN_NM, Spectrum};
 
 /// Rows of bin means, built up one spectrum at a time.
@@ -25,7 +28,12 @@ impl SpectrumRows {
     }
 
     /// Appends `spectrum` times `scale` and returns its row. `what` names it in errors.
-    fn push(&mut self, what: &str, spectrum: &Spectrum, scale: f32) -> Result<u32, RendererError> {
+    pub(super) fn push(
+        &mut self,
+        what: &str,
+        spectrum: &Spectrum,
+        scale: f32,
+    ) -> Result<u32, RendererError> {
         spectrum
             .validate()
             .map_err(|fault| RendererError::Invalid(format!("spectrum of {what}: {fault}")))?;
@@ -61,14 +69,23 @@ pub(super) struct PackedMaterials {
     pub(super) of_object: Vec<u32>,
 }
 
+impl PackedMaterials {
+    /// n(λ) of a clear material at every nm.
+    pub(super) fn indices_of(&self, material: u32) -> &[f32] {
+        let start = self.materials[material as usize].index_table as usize * INDEX_TABLE_LEN;
+        &self.index_tables[start..start + INDEX_TABLE_LEN]
+    }
+}
+
 /// Packs every material once, however many objects are made of it.
 pub(super) fn pack_materials(
     scene: &Scene,
     spectra: &mut SpectrumRows,
+    prints: &mut PrintWords,
 ) -> Result<PackedMaterials, RendererError> {
     let (mut materials, mut index_tables, mut of_object) = (Vec::new(), Vec::new(), Vec::new());
     for (i, object) in scene.objects.iter().enumerate() {
-        let twin = scene.objects[..i].iter().position(|other| other.material == object.material);
+        let twin = scene.objects[..i].iter().position(|other| share_material(other, object));
         if let Some(twin) = twin {
             of_object.push(of_object[twin]);
             continue;
@@ -83,10 +100,28 @@ pub(super) fn pack_materials(
                 absorption: NONE,
                 reflectance: spectra.push(&object.name, &diffuse.reflectance, 1.0)?,
                 least_absorption: 0.0,
+                print: match &diffuse.print {
+                    Some(print) => prints.push(object, print, spectra)?,
+                    None => PackedPrint::none(),
+                },
             },
         });
     }
     Ok(PackedMaterials { materials, index_tables, of_object })
+}
+
+/// Whether one packed material does for both objects: what is printed by a mesh's own coordinates
+/// is as different as the meshes.
+fn share_material(one: &Object, other: &Object) -> bool {
+    if !one.is_printed_by_coordinates() {
+        return one.material == other.material;
+    }
+    match (&one.shape, &other.shape) {
+        (Shape::Mesh(source), Shape::Mesh(other_source)) => {
+            source == other_source && one.material == other.material
+        }
+        _ => false,
+    }
 }
 
 fn pack_dielectric(
@@ -113,6 +148,7 @@ fn pack_dielectric(
         absorption,
         reflectance: NONE,
         least_absorption: if absorption == NONE { 0.0 } else { least_absorption },
+        print: PackedPrint::none(),
     })
 }
 
@@ -139,7 +175,9 @@ pub(super) fn pack_discs(
                 sin_squared_radius: disc.angular_radius_radians.sin().powi(2),
                 solid_angle: disc.solid_angle_steradians(),
                 spectrum: spectra.push(&disc.name, &disc.spectrum, disc.radiance)?,
-                padding: 0,
+                first_passage: 0,
+                passage_count: 0,
+                padding: [0; 3],
             })
         })
         .collect()

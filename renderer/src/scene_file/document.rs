@@ -69,6 +69,7 @@ impl Default for Document {
                 dispersion: Dispersion::Linear { n_d: 2.417, dispersion_bg: 0.044 },
                 absorption_per_mm: None,
             }),
+            throws_light: false,
         };
         Self {
             scene: Scene {

@@ -9,6 +9,7 @@ use super::fault::{Fault, Under};
 use super::light::LightsEntry;
 use super::mesh_file::MeshFiles;
 use super::object::ObjectEntry;
+use super::print::ImageFiles;
 use super::settings::{DisplayEntry, StillEntry, TraceEntry};
 use super::tree::{Node, Place, line_and_column};
 use super::view::{CameraEntry, GroundEntry};
@@ -69,12 +70,12 @@ impl DocumentEntry {
             let message = format!("found {}; this program reads format {FORMAT}", self.format);
             return Err(Fault::at("format", message));
         }
-        let mut meshes = MeshFiles::new(base);
+        let (mut meshes, mut images) = (MeshFiles::new(base), ImageFiles::new(base));
         let objects = self
             .objects
             .into_iter()
             .enumerate()
-            .map(|(index, object)| object.read(index, &mut meshes).under(index))
+            .map(|(index, object)| object.read(index, &mut meshes, &mut images).under(index))
             .collect::<Result<_, _>>()
             .under("objects")?;
         let start = Document::default();

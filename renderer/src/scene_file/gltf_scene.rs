@@ -33,6 +33,7 @@ fn objects(path: &Path, gltf: &GltfScene) -> Vec<Object> {
         shape: Shape::Mesh(MeshSource { path: path.to_owned(), index, mesh: object.mesh.clone() }),
         transform: Transform::default(),
         material: object.material.clone(),
+        throws_light: false,
     };
     gltf.objects.iter().enumerate().map(object).collect()
 }

@@ -1,9 +1,12 @@
 //! Materials in a scene file.
 
+use std::path::Path;
+
 use serde::{Deserialize, Serialize};
 
 use super::check::{choose, exactly_one};
 use super::fault::{Fault, Under, quoted, suggestion};
+use super::print::{ImageFiles, PrintEntry};
 use super::spectrum::{Quantity, SpectrumEntry};
 use crate::material::{
     Dielectric, Diffuse, Dispersion, LibraryMaterial, Material, SellmeierTerm, find, library,
@@ -27,6 +30,8 @@ pub(super) struct MaterialEntry {
     tabulated: Option<TabulatedEntry>,
     absorption_per_mm: Option<SpectrumEntry>,
     diffuse: Option<SpectrumEntry>,
+    /// An image on a `diffuse` surface.
+    print: Option<PrintEntry>,
 }
 
 #[derive(Deserialize, Serialize)]
@@ -70,11 +75,15 @@ const CURVES: [(&str, Curve); 3] =
     [("measured", Curve::Measured), ("linear", Curve::Linear), ("cauchy", Curve::Cauchy)];
 
 impl MaterialEntry {
-    pub(super) fn read(mut self) -> Result<Material, Fault> {
+    pub(super) fn read(mut self, images: &mut ImageFiles) -> Result<Material, Fault> {
         if let Some(reflectance) = self.diffuse.take() {
             self.refuse_clear_keys()?;
             let reflectance = reflectance.read(Quantity::Reflectance).under("diffuse")?;
-            return Ok(Material::Diffuse(Diffuse { reflectance }));
+            let print = self.print.map(|print| print.read(images)).transpose().under("print")?;
+            return Ok(Material::Diffuse(Diffuse { reflectance, print }));
+        }
+        if self.print.is_some() {
+            return Err(Fault::at("print", "only what is matte is printed on; give `diffuse` too"));
         }
         let absorption_per_mm = self
             .absorption_per_mm
@@ -108,7 +117,7 @@ impl MaterialEntry {
         match keys.iter().find(|(_, is_there)| *is_there) {
             Some((key, _)) => Err(Fault::at(
                 key,
-                "this is for clear materials; a `diffuse` material has no other key",
+                "this is for clear materials; beside `diffuse` only `print` may stand",
             )),
             None => Ok(()),
         }
@@ -173,11 +182,14 @@ impl MaterialEntry {
         Ok(dispersion)
     }
 
-    pub(super) fn write(material: &Material) -> Self {
+    /// Paths are written relative to `base`.
+    pub(super) fn write(material: &Material, base: &Path) -> Self {
         match material {
-            Material::Diffuse(Diffuse { reflectance }) => {
-                Self { diffuse: Some(SpectrumEntry::write(reflectance)), ..Self::default() }
-            }
+            Material::Diffuse(Diffuse { reflectance, print }) => Self {
+                diffuse: Some(SpectrumEntry::write(reflectance)),
+                print: print.as_ref().and_then(|print| PrintEntry::write(print, base)),
+                ..Self::default()
+            },
             Material::Dielectric(Dielectric { name, dispersion, absorption_per_mm }) => Self {
                 absorption_per_mm: absorption_per_mm.as_ref().map(SpectrumEntry::write),
                 ..Self::write_clear(name, dispersion)

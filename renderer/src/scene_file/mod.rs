@@ -16,6 +16,8 @@ mod light;
 mod material;
 mod mesh_file;
 mod object;
+mod path;
+mod print;
 mod settings;
 mod shipped;
 mod spectrum;

@@ -11,6 +11,7 @@ use super::check::{exactly_one, positive};
 use super::fault::{Fault, Under};
 use super::material::MaterialEntry;
 use super::mesh_file::{MeshEntry, MeshFiles};
+use super::print::ImageFiles;
 use crate::material::Material;
 use crate::scene::{Object, Shape, Transform};
 use crate::solid::{HalfSpace, Solid};
@@ -33,6 +34,7 @@ pub(super) struct ObjectEntry {
     mesh: Option<MeshEntry>,
     /// A mesh without it keeps the material of its own file.
     material: Option<MaterialEntry>,
+    throws_light: Option<bool>,
 }
 
 /// A turn about an axis, or the unit quaternion x, y, z, w where no short turn gives its bits.
@@ -60,8 +62,13 @@ struct HalfSpaceEntry {
 }
 
 impl ObjectEntry {
-    /// `index` counts the objects of the file; `meshes` reads mesh files once each.
-    pub(super) fn read(self, index: usize, meshes: &mut MeshFiles) -> Result<Object, Fault> {
+    /// `index` counts the objects of the file; `meshes` and `images` read files once each.
+    pub(super) fn read(
+        self,
+        index: usize,
+        meshes: &mut MeshFiles,
+        images: &mut ImageFiles,
+    ) -> Result<Object, Fault> {
         exactly_one(&[
             ("round_brilliant", self.round_brilliant.is_some()),
             ("polyhedron", self.polyhedron.is_some()),
@@ -86,22 +93,28 @@ impl ObjectEntry {
             }
             (None, None, None) => return Err(Fault::new("the object has no shape")),
         };
-        let material = self.material.map(MaterialEntry::read).transpose().under("material")?;
+        let material = self.material.map(|material| material.read(images));
+        let material = material.transpose().under("material")?;
         let material = material
             .or(own_material)
             .ok_or_else(|| Fault::at("material", "this key is missing"))?;
         refuse_open_stone(&shape, &material)?;
+        let throws_light = self.throws_light.unwrap_or(false);
+        if throws_light {
+            refuse_thrower(&shape, &material)?;
+        }
         Ok(Object {
             name: self.name.unwrap_or_else(|| format!("Object {}", index + 1)),
             shape,
             transform,
             material,
+            throws_light,
         })
     }
 
     /// Paths are written relative to `base`.
     pub(super) fn write(object: &Object, base: &Path) -> Self {
-        let Object { name, shape, transform, material } = object;
+        let Object { name, shape, transform, material, throws_light } = object;
         let Transform { translation, rotation, scale } = transform;
         let mut entry = Self {
             name: Some(name.clone()),
@@ -111,7 +124,10 @@ impl ObjectEntry {
             round_brilliant: None,
             polyhedron: None,
             mesh: None,
-            material: Some(MaterialEntry::write(material)),
+            // What only the mesh's own file can say is left to it.
+            material: (!object.is_printed_by_coordinates())
+                .then(|| MaterialEntry::write(material, base)),
+            throws_light: throws_light.then_some(true),
         };
         match shape {
             Shape::RoundBrilliant(cut) => entry.round_brilliant = Some(BrilliantEntry::write(cut)),
@@ -136,6 +152,16 @@ fn refuse_open_stone(shape: &Shape, material: &Material) -> Result<(), Fault> {
         }),
         _ => Ok(()),
     }
+}
+
+/// Only through what is clear and known to be convex can light be followed straight.
+fn refuse_thrower(shape: &Shape, material: &Material) -> Result<(), Fault> {
+    let remedy = match (shape, material) {
+        (Shape::Mesh(_), _) => "a mesh can't throw light, only a round_brilliant or a polyhedron",
+        (_, Material::Diffuse(_)) => "a diffuse object can't throw light; make it clear",
+        _ => return Ok(()),
+    };
+    Err(Fault::at("throws_light", remedy))
 }
 
 impl RotationEntry {

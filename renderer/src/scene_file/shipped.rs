@@ -9,13 +9,17 @@ pub struct ShippedScene {
     pub text: &'static str,
 }
 
-const SCENES: [ShippedScene; 5] = [
+const SCENES: [ShippedScene; 6] = [
     ShippedScene { name: "Diamond", text: include_str!("../../../assets/scenes/diamond.toml") },
     ShippedScene {
         name: "Seven diamonds",
         text: include_str!("../../../assets/scenes/seven-diamonds.toml"),
     },
     ShippedScene { name: "Prism", text: include_str!("../../../assets/scenes/prism.toml") },
+    ShippedScene {
+        name: "Prism and word",
+        text: include_str!("../../../assets/scenes/prism-word.toml"),
+    },
     ShippedScene { name: "Slab", text: include_str!("../../../assets/scenes/slab.toml") },
     ShippedScene { name: "Furnace", text: include_str!("../../../assets/scenes/furnace.toml") },
 ];

@@ -24,13 +24,14 @@ pub(super) fn develop<D: Device>(shared: &Shared<D>) {
     // One at a time: what is read below by the last to come is newest, and is shown last.
     let mut last_serial = lock(&shared.last_serial);
     let exposed = lock(&shared.image).as_ref().map(Arc::clone);
-    let display = lock(&shared.display).clone();
+    let (display, shown) = (lock(&shared.display).clone(), *lock(&shared.shown));
     let Some(exposed) = exposed else { return };
-    let developed = catch_unwind(AssertUnwindSafe(|| exposed.image.develop(&display)));
+    let developed = catch_unwind(AssertUnwindSafe(|| exposed.image.develop(&display, shown)));
     let reason = match developed {
         Ok(Ok(pixels)) => {
             *last_serial += 1;
-            let picture = Picture { size: exposed.image.size(), pixels, serial: *last_serial };
+            let (size, serial) = (exposed.image.size(), *last_serial);
+            let picture = Picture { size, pixels, shown, serial };
             return shared.show(picture, exposed.device);
         }
         Ok(Err(error)) => error.to_string(),

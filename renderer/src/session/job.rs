@@ -5,9 +5,10 @@ use std::time::{Duration, Instant};
 use super::bell::{Generation, Urgency};
 use super::develop_thread::develop;
 use super::graphics::Refusal;
-use super::shared::{Exposed, Shared};
+use super::reading::FilmCopy;
+use super::shared::{Exposed, Shared, lock};
 use super::workplace::Fault;
-use super::{Activity, Progress, RenderRequest};
+use super::{Activity, Progress, Reading, RenderRequest};
 use crate::error::RendererError;
 use crate::packed::PackedScene;
 use crate::scheduler::{Effort, Scheduler, Work};
@@ -18,6 +19,9 @@ use crate::tracer::{Device, Tracer, View};
 
 /// Least time between two published states of an accumulating film.
 const PUBLISH_INTERVAL: Duration = Duration::from_millis((1e3 * Scheduler::PUBLISH_SECONDS) as u64);
+
+/// Rounds that take longer are not waited for to read another region of the film.
+const QUICK_ROUND_SECONDS: f64 = 0.1;
 
 /// A request with its scene loaded, and what has been traced of it.
 pub(super) struct Job<T: Tracer> {
@@ -157,6 +161,7 @@ impl<T: Tracer> Job<T> {
             show(shared, Exposed { image, device });
         }
         exposure.published = Some((Instant::now(), passes));
+        exposure.read_watched(shared, tracer, &self.request, is_done)?;
         let activity = match (is_done, exposure.effort) {
             (true, _) => Activity::Done,
             (false, Effort::Full) => Activity::Accumulating,
@@ -204,19 +209,71 @@ struct Exposure<F> {
     passes: u32,
     statistics: Statistics,
     seconds: f64,
+    /// Seconds of the last round.
+    round_seconds: f64,
     /// When, and after how many passes, the film was last handed on.
     published: Option<(Instant, u32)>,
+    /// What was watched, by its number, and after how many passes it was last read.
+    read: Option<(u64, u32)>,
 }
 
 impl<F> Exposure<F> {
     fn new(film: F, size: [u32; 2], effort: Effort) -> Self {
-        let statistics = Statistics::default();
-        Self { film, size, effort, passes: 0, statistics, seconds: 0.0, published: None }
+        Self {
+            film,
+            size,
+            effort,
+            passes: 0,
+            statistics: Statistics::default(),
+            seconds: 0.0,
+            round_seconds: 0.0,
+            published: None,
+            read: None,
+        }
     }
 
     fn add(&mut self, passes: u32, statistics: &Statistics, seconds: f64) {
         self.passes += passes;
         self.statistics += *statistics;
         self.seconds += seconds;
+        self.round_seconds = seconds;
+    }
+
+    /// Reads the region that is watched, if any, unless that was done in this state of the film;
+    /// and has others read from a copy where more is to come, but not soon.
+    fn read_watched<D: Device, T: Tracer<Film = F>>(
+        &mut self,
+        shared: &Shared<D>,
+        tracer: &T,
+        request: &RenderRequest,
+        is_done: bool,
+    ) -> Result<(), Fault> {
+        let watched = lock(&shared.watch).watched();
+        let Some((region, number)) = watched else { return Ok(()) };
+        let known = self.read.replace((number, self.passes));
+        if known == self.read {
+            return Ok(());
+        }
+        let is_draft = self.effort == Effort::Draft || self.size != request.size;
+        if known.is_none_or(|(_, passes)| passes != self.passes) {
+            // A draft is quick, but the round after it may not be.
+            let is_quick = self.round_seconds <= QUICK_ROUND_SECONDS && !is_draft;
+            let film = if is_done || is_quick { None } else { tracer.copy(&self.film) };
+            lock(&shared.watch).keep(film.map(|film| FilmCopy { film, is_draft }));
+        }
+        let pixels = region.pixels(self.size);
+        let spectrum = tracer.mean_spectrum(&self.film, pixels).map_err(Fault::new)?;
+        let reading = Reading {
+            region,
+            pixels,
+            film_size: self.size,
+            bins: Bins::new(request.trace.bins),
+            spectrum,
+            passes: self.passes,
+            is_draft,
+            serial: 0,
+        };
+        lock(&shared.watch).take(number, reading);
+        Ok(())
     }
 }

@@ -1,6 +1,6 @@
 //! What a session tells of its work.
 
-use crate::develop::Pixels;
+use crate::develop::{Pixels, Shown};
 use crate::statistics::Statistics;
 use crate::tracer::TracerName;
 
@@ -9,8 +9,10 @@ use crate::tracer::TracerName;
 pub struct Picture {
     /// Width and height in pixels; smaller than requested while previewing.
     pub size: [u32; 2],
-    /// What is shown.
+    /// Its pixels.
     pub pixels: Pixels,
+    /// What they show.
+    pub shown: Shown,
     /// Counts up with every picture published.
     pub serial: u64,
 }

@@ -5,8 +5,9 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use super::bell::Bell;
 use super::graphics::GraphicsSlot;
+use super::reading::Watch;
 use super::{Picture, Progress, RenderRequest};
-use crate::develop::{LatentImage, Pixels};
+use crate::develop::{LatentImage, Pixels, Shown};
 use crate::settings::DisplaySettings;
 use crate::tracer::Device;
 
@@ -20,12 +21,17 @@ pub(super) struct Shared<D: Device> {
     pub(super) graphics: Mutex<GraphicsSlot<D>>,
     pub(super) image: Mutex<Option<Arc<Exposed>>>,
     pub(super) display: Mutex<DisplaySettings>,
+    /// What pictures show of the film.
+    pub(super) shown: Mutex<Shown>,
     /// Says that there is something new to develop.
     pub(super) to_develop: Bell,
     pub(super) picture: Mutex<Option<Arc<Picture>>>,
     /// Serial of the picture developed last; locked before all others, and while one is developed.
     pub(super) last_serial: Mutex<u64>,
     pub(super) progress: Mutex<Progress>,
+    pub(super) watch: Mutex<Watch>,
+    /// Says that another region is watched than the render thread knows of.
+    pub(super) to_read: Bell,
     on_update: Box<dyn Fn() + Send + Sync>,
 }
 
@@ -43,10 +49,13 @@ impl<D: Device> Shared<D> {
             graphics: Mutex::new(GraphicsSlot::new()),
             image: Mutex::new(None),
             display: Mutex::new(DisplaySettings::default()),
+            shown: Mutex::new(Shown::default()),
             to_develop: Bell::new(),
             picture: Mutex::new(None),
             last_serial: Mutex::new(0),
             progress: Mutex::new(Progress::default()),
+            watch: Mutex::new(Watch::default()),
+            to_read: Bell::new(),
             on_update: Box::new(on_update),
         }
     }

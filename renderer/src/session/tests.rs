@@ -1,5 +1,7 @@
 //! The session and a device that fails when told to.
 
+mod reading;
+
 use std::sync::{Arc, Condvar, Mutex};
 use std::time::{Duration, Instant};
 
@@ -7,7 +9,8 @@ use super::bell::Urgency;
 use super::graphics::Refusal;
 use super::shared::lock;
 use super::threads::Threads;
-use super::{Activity, GraphicsFailure, GraphicsState, Progress, RenderRequest};
+use super::{Activity, GraphicsFailure, GraphicsState, Progress, Reading, RenderRequest};
+use crate::film::Region;
 use crate::scene::Scene;
 use crate::scene_file::Document;
 use crate::tracer::fake::{Call, FakeDevice, REASON};
@@ -84,6 +87,10 @@ impl Watched {
 
     fn serial(&self) -> u64 {
         lock(&self.threads.shared.picture).as_ref().map_or(0, |picture| picture.serial)
+    }
+
+    fn reading(&self) -> Option<Arc<Reading>> {
+        lock(&self.threads.shared.watch).reading().cloned()
     }
 
     fn progress(&self) -> Progress {
@@ -166,11 +173,18 @@ fn wherever_the_device_fails_the_processor_takes_over_and_a_retry_works() {
         (Call::Trace, 1),
         (Call::Expose, 0),
         (Call::Expose, 1),
+        (Call::Mean, 0),
+        (Call::Mean, 1),
     ];
     for (call, panics) in calls.into_iter().flat_map(|call| [(call, false), (call, true)]) {
         let device = FakeDevice::failing_at(call.0, call.1);
         device.plan().panics = panics;
         let mut watched = Watched::tracing(Backend::Auto, &device);
+        watched.threads.watch(Some(Region::WHOLE));
+        if call == (Call::Mean, 1) {
+            watched.wait(|_| device.count(Call::Mean) > 0);
+            watched.threads.watch(Some(Region::between([0.0; 2], [0.5; 2])));
+        }
         watched.wait_for_done(false);
         watched.wait(|watched| matches!(watched.state(), GraphicsState::Failed(_)));
         let reason = watched.failure().expect("it is told").reason;

@@ -7,8 +7,9 @@ use std::time::{Duration, Instant};
 
 use super::bell::Urgency;
 use super::shared::{Shared, lock};
-use super::{GraphicsState, RenderRequest, develop_thread, render_thread};
+use super::{GraphicsState, RenderRequest, develop_thread, read_thread, render_thread};
 use crate::error::RendererError;
+use crate::film::Region;
 use crate::tracer::{CpuTracer, DEVICE_PANICKED, Device};
 
 /// Longest wait for shaders that are still being compiled when the session ends. A process that
@@ -24,7 +25,7 @@ pub(super) struct Threads<D: Device> {
 }
 
 impl<D: Device> Threads<D> {
-    /// Starts the render and the develop thread.
+    /// Starts the render, the develop and the read thread.
     ///
     /// # Errors
     /// The system refuses the threads.
@@ -34,9 +35,10 @@ impl<D: Device> Threads<D> {
     ) -> Result<Self, RendererError> {
         let shared = Arc::new(Shared::new(on_update));
         let mut threads = Self { shared, workers: Vec::new(), compilers: Vec::new() };
-        let (render, develop) = (Arc::clone(&threads.shared), Arc::clone(&threads.shared));
+        let [render, develop, read] = [(); 3].map(|()| Arc::clone(&threads.shared));
         threads.workers.push(spawn("render", move || render_thread::run(&render, cpu))?);
         threads.workers.push(spawn("develop", move || develop_thread::run(&develop))?);
+        threads.workers.push(spawn("read", move || read_thread::run(&read))?);
         Ok(threads)
     }
 
@@ -45,6 +47,14 @@ impl<D: Device> Threads<D> {
         *lock(&self.shared.request) = Some(request);
         self.prepare();
         self.shared.to_trace.ring(if is_urgent { Urgency::Wish } else { Urgency::None });
+    }
+
+    /// Reads the spectrum of `region` from now on. No work is dropped for that.
+    pub(super) fn watch(&mut self, region: Option<Region>) {
+        if lock(&self.shared.watch).set(region) && region.is_some() {
+            self.shared.to_trace.ring(Urgency::None);
+            self.shared.to_read.ring(Urgency::None);
+        }
     }
 
     /// Lets requests be traced on `device`.
@@ -107,6 +117,7 @@ impl<D: Device> Drop for Threads<D> {
     fn drop(&mut self) {
         self.shared.to_trace.close();
         self.shared.to_develop.close();
+        self.shared.to_read.close();
         let deadline = Instant::now() + COMPILER_PATIENCE;
         while self.compilers.iter().any(|compiler| !compiler.is_finished())
             && Instant::now() < deadline

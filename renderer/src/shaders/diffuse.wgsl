@@ -21,6 +21,7 @@ fn shade_diffuse(ray: Ray, hit: Hit) {
             let disc = discs[light];
             direction = direction_on_disc(disc, at);
             scale = FRAC_1_PI * disc.solid_angle * dot(direction, normal);
+            shine_through(ray, hit, normal, light, direction, reflectance);
         }
         if scale <= 0.0 || is_shadowed(ray, hit, direction) {
             continue;
@@ -38,16 +39,20 @@ fn shade_diffuse(ray: Ray, hit: Hit) {
     }
 }
 
-// Row of the reflectance of the surface where the ray ends.
-fn reflectance_at(ray: Ray, hit: Hit) -> u32 {
+// The reflectance of the surface where the ray ends.
+fn reflectance_at(ray: Ray, hit: Hit) -> Reflectance {
     if hit.instance != GROUND {
-        return material_of(hit.instance).reflectance;
+        let material = material_of(hit.instance);
+        if material.print.texels == NONE {
+            return bare(material.reflectance);
+        }
+        return print_reflectance(material, hit, ray.origin);
     }
     let square_x = floor(ray.origin.x / frame.ground.square);
     let square_y = floor(ray.origin.y / frame.ground.square);
     let half = (square_x + square_y) * 0.5;
     let is_odd = half != floor(half);
-    return select(frame.ground.reflectance[0], frame.ground.reflectance[1], is_odd);
+    return bare(select(frame.ground.reflectance[0], frame.ground.reflectance[1], is_odd));
 }
 
 // Whether something stands between the surface and the light in `direction`.

@@ -65,7 +65,7 @@ fn meet_bodies(ray: Ray, limit: f32, any: bool) -> Hit {
             continue;
         }
         for (var slot = node.first; slot < node.first + node.primitive_count; slot++) {
-            let hit = meet_instance(ray, top_order[slot], nearest.distance);
+            let hit = meet_instance(ray, words[slot], nearest.distance);
             if hit.distance < nearest.distance {
                 nearest = hit;
                 if any {

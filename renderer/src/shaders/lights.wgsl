@@ -73,7 +73,7 @@ fn disc_cone(disc: PackedDisc) -> Cone {
 fn ray_light(ray: Ray) {
     let sky = frame.sky;
     if ray.depth == 0u && sky.backdrop != NONE {
-        deposit(ray, sky.backdrop, NONE, 1.0);
+        deposit(ray, sky.backdrop, WHOLE, 1.0);
         return;
     }
     let spread_length = length(ray.spread);
@@ -85,7 +85,7 @@ fn ray_light(ray: Ray) {
         }
         let amount = overlap_amount(ray, cone);
         if amount > 0.0 {
-            deposit(ray, disc.spectrum, NONE, amount);
+            deposit(ray, disc.spectrum, WHOLE, amount);
         }
     }
     var visible = 1.0;
@@ -100,12 +100,12 @@ fn ray_light(ray: Ray) {
         }
     }
     if sky.environment != NONE && visible > 0.0 {
-        deposit(ray, sky.environment, NONE, visible);
+        deposit(ray, sky.environment, WHOLE, visible);
     }
     if sky.hemisphere != NONE && visible > 0.0 {
         let amount = overlap_hemisphere(ray);
         if amount > 0.0 {
-            deposit(ray, sky.hemisphere, NONE, visible * amount);
+            deposit(ray, sky.hemisphere, WHOLE, visible * amount);
         }
     }
 }

@@ -18,6 +18,7 @@ pub use frame::Frame;
 use crate::kernel::mesh::Sides;
 use crate::kernel::walk::Fate;
 use crate::kernel::{interface, intersect, mesh, ray, rng, spread, walk};
+use crate::material::Outside;
 use crate::packed;
 use crate::spectrum::{LAMBDA_MAX_NM, LAMBDA_MIN_NM};
 
@@ -52,6 +53,8 @@ pub const KERNEL: &[ShaderModule] = modules![
     "walk",
     "deposit",
     "lights",
+    "passage",
+    "print",
     "diffuse",
     "fork",
     "trace",
@@ -60,12 +63,18 @@ pub const KERNEL: &[ShaderModule] = modules![
 /// What runs the kernel on a graphics device.
 pub(crate) const WALKERS: &[ShaderModule] = modules!["walkers"];
 
-/// From the film to CIE XYZ.
-pub(crate) const EXPOSE: &[ShaderModule] = modules!["finite", "xyz"];
+/// From the film to CIE XYZ and mean counts.
+pub(crate) const EXPOSE: &[ShaderModule] = modules!["finite", "expose"];
+
+/// From the film to the sums of a region.
+pub(crate) const REGION: &[ShaderModule] = modules!["finite", "region"];
 
 /// From CIE XYZ to sRGB codes.
 pub(crate) const DEVELOP: &[ShaderModule] =
     modules!["finite", "tone_curve", "gamut", "srgb8", "development"];
+
+/// From mean counts to the sRGB codes of a heat map.
+pub(crate) const HEAT: &[ShaderModule] = modules!["heat"];
 
 /// The constants of the kernel, and then `modules`: a whole shader.
 pub fn join(modules: &[ShaderModule]) -> String {
@@ -119,6 +128,7 @@ fn kernel_constants() -> String {
         ("TOUCHING_MM", F32(ray::TOUCHING_MM)),
         ("PIXEL_STEPS", Vec2U(rng::PIXEL_STEPS)),
         ("LIGHT_STEPS", Vec2U(rng::LIGHT_STEPS)),
+        ("WAVELENGTH_STEP", U32(rng::WAVELENGTH_STEP)),
         ("MIDDLE", U32(rng::MIDDLE)),
         ("MAX_SUBRAYS", U32(spread::MAX_SUBRAYS)),
         ("BISECTIONS", U32(interface::BISECTIONS)),
@@ -130,6 +140,9 @@ fn kernel_constants() -> String {
         ("SIDES_BOTH", U32(Sides::Both as u32)),
         ("TOP_STACK", U32(intersect::TOP_STACK as u32)),
         ("NUDGE", F32(intersect::NUDGE)),
+        ("OUTSIDE_BARE", U32(Outside::Bare as u32)),
+        ("OUTSIDE_REPEAT", U32(Outside::Repeat as u32)),
+        ("OUTSIDE_MIRROR", U32(Outside::Mirror as u32)),
         ("STACK_LEN", U32(walk::STACK_LEN as u32)),
         ("FATE_KEPT", U32(Fate::Kept as u32)),
         ("FATE_TOO_WEAK", U32(Fate::TooWeak as u32)),

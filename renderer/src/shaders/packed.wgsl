@@ -27,11 +27,25 @@ struct Instance {
     interior_is_clear: u32,
 }
 
+struct PackedPrint {
+    front: vec3f,
+    front_offset: f32,
+    tint: vec3f,
+    primaries: u32,
+    size: vec2u,
+    outside: vec2u,
+    texels: u32,
+    levels: u32,
+    projection: u32,
+    projection_stride: u32,
+}
+
 struct PackedMaterial {
     index_table: u32,
     absorption: u32,
     reflectance: u32,
     least_absorption: f32,
+    print: PackedPrint,
 }
 
 struct PackedDisc {
@@ -40,6 +54,21 @@ struct PackedDisc {
     sin_squared_radius: f32,
     solid_angle: f32,
     spectrum: u32,
+    first_passage: u32,
+    passage_count: u32,
+}
+
+struct PackedPassage {
+    center: vec3f,
+    radius: f32,
+    direction: vec3f,
+    cos_bound: f32,
+    normal_in: vec3f,
+    sin_bound: f32,
+    normal_out: vec3f,
+    instance: u32,
+    facet_in: u32,
+    facet_out: u32,
 }
 
 struct PackedGround {
@@ -92,7 +121,7 @@ struct Frame {
 
 @group(0) @binding(0) var<storage, read> instances: array<Instance>;
 @group(0) @binding(1) var<storage, read> top_nodes: array<BvhNode>;
-@group(0) @binding(2) var<storage, read> top_order: array<u32>;
+@group(0) @binding(2) var<storage, read> words: array<u32>;
 @group(0) @binding(3) var<storage, read> planes: array<f32>;
 @group(0) @binding(4) var<storage, read> nodes: array<BvhNode>;
 @group(0) @binding(5) var<storage, read> triangles: array<PackedTriangle>;
@@ -100,6 +129,7 @@ struct Frame {
 @group(0) @binding(7) var<storage, read> index_tables: array<f32>;
 @group(0) @binding(8) var<storage, read> spectra: array<f32>;
 @group(0) @binding(9) var<storage, read> discs: array<PackedDisc>;
+@group(0) @binding(10) var<storage, read> passages: array<PackedPassage>;
 // No uniform: Mesa's software device compiles a kernel anew for each content of one.
 @group(1) @binding(0) var<storage, read> frame: Frame;
 
@@ -116,6 +146,13 @@ fn is_opaque(material: PackedMaterial) -> bool {
 // The material of a body.
 fn material_of(instance: u32) -> PackedMaterial {
     return materials[instances[instance].material];
+}
+
+// One row of a projection: the four numbers from a word on.
+fn projection_row(first: u32) -> vec4f {
+    return bitcast<vec4f>(
+        vec4u(words[first], words[first + 1u], words[first + 2u], words[first + 3u]),
+    );
 }
 
 // The mean of row `row` over `bin`.

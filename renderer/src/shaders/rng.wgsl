@@ -24,6 +24,12 @@ fn light_sample(seed: u32, pass_index: u32) -> vec2f {
     return sample(LIGHT_STEPS, vec2u(hash(seed), hash(seed ^ 0x9e3779b9u)), pass_index);
 }
 
+// A number in 0..1 that fills a bin's wavelengths evenly as the passes go by, the middle first. Like
+// that of the pixel it is the same for all pixels, and so no noise of colours.
+fn wavelength_sample(pass_index: u32) -> f32 {
+    return unit_float(MIDDLE + pass_index * WAVELENGTH_STEP);
+}
+
 fn sample(steps: vec2u, start: vec2u, pass_index: u32) -> vec2f {
     let x = start.x + pass_index * steps.x;
     let y = start.y + pass_index * steps.y;

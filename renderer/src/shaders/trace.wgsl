@@ -4,6 +4,7 @@
 fn follow() {
     var ray = pop();
     walk.tally.segments += 1u;
+    walk.tally.depth = max(walk.tally.depth, ray.depth);
     var hit = MISS;
     for (var attempt = 0u; attempt < 2u; attempt++) {
         if attempt > 0u {

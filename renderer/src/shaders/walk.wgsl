@@ -3,6 +3,7 @@
 // Counts of one camera ray; energies in units of the camera ray's.
 struct Tally {
     segments: u32,
+    depth: u32,
     returned: f32,
     absorbed: f32,
     pruned: f32,

@@ -2,13 +2,20 @@
 // next. All that a walker knows lies in buffers, so that a dispatch may end after any ray and the
 // next one carries on.
 
+// What an item comes to, as the film counts it.
+struct Counts {
+    segments: u32,
+    depth: u32,
+    pruned: f32,
+}
+
 // What a walker remembers from one dispatch to the next.
 struct Walker {
     walk: Walk,
     item: u32,
     is_walking: u32,
     // Of the item, in earlier dispatches.
-    segments: u32,
+    counts: Counts,
 }
 
 // Sums of what walkers did. Each of `sums` takes two words, the lower one first; energies are in
@@ -37,15 +44,16 @@ struct Books {
     lost: vec2u,
 }
 
-// Radiance sums as f32, pixel by pixel, the bins of a pixel side by side.
+// Sums as f32: radiance pixel by pixel, the bins of a pixel side by side; behind those of all pixels
+// the counts, `COUNTS_LEN` numbers per pixel.
 @group(2) @binding(0) var<storage, read_write> film: array<atomic<u32>>;
 @group(2) @binding(1) var<storage, read_write> walkers: array<Walker>;
 @group(2) @binding(2) var<storage, read_write> progress: Progress;
 
 // The item at work, or `NONE`.
 var<private> item: u32;
-// The item's segments that are in the books.
-var<private> item_segments: u32;
+// The item's counts that are in the books.
+var<private> item_counts: Counts;
 var<private> books: Books;
 
 @compute @workgroup_size(WORKGROUP_SIZE)
@@ -82,7 +90,7 @@ fn resume(walker: u32) {
     walk.walker = walker;
     if walkers[walker].is_walking != 0u {
         item = walkers[walker].item;
-        item_segments = walkers[walker].segments;
+        item_counts = walkers[walker].counts;
         walk = walkers[walker].walk;
     }
 }
@@ -93,7 +101,7 @@ fn suspend(walker: u32) {
     if is_walking {
         book_tally();
         walkers[walker].item = item;
-        walkers[walker].segments = item_segments;
+        walkers[walker].counts = item_counts;
         walkers[walker].walk = walk;
     }
     walkers[walker].is_walking = u32(is_walking);
@@ -107,7 +115,7 @@ fn begin_item() -> bool {
         return false;
     }
     item = next;
-    item_segments = 0u;
+    item_counts = Counts();
     let pixel = item % frame.pixel_count;
     let x = pixel % frame.width;
     let y = frame.first_row + pixel / frame.width;
@@ -122,7 +130,7 @@ fn begin_item() -> bool {
     return true;
 }
 
-// Adds the radiance that was found to the film and books the item.
+// Adds the radiance that was found and the counts to the film, and books the item.
 fn complete_item() {
     if item == NONE {
         return;
@@ -130,18 +138,23 @@ fn complete_item() {
     let pixel = item % frame.pixel_count;
     for (var bin = 0u; bin < frame.bin_count; bin++) {
         let value = radiance[walk.walker * frame.bin_count + bin];
-        if value != 0.0 {
-            add_to_film(pixel * frame.bin_count + bin, value);
-        }
+        add_to_film(pixel * frame.bin_count + bin, value);
     }
     book_tally();
+    let counts_at = frame.pixel_count * frame.bin_count + pixel * COUNTS_LEN;
+    add_to_film(counts_at, f32(item_counts.segments));
+    add_to_film(counts_at + 1u, f32(item_counts.depth));
+    add_to_film(counts_at + 2u, item_counts.pruned);
     books.items += 1u;
-    books.max_segments = max(books.max_segments, item_segments);
+    books.max_segments = max(books.max_segments, item_counts.segments);
     item = NONE;
 }
 
 // Adds to one number of the film. Another walker may be at the same pixel in another pass.
 fn add_to_film(at: u32, value: f32) {
+    if value == 0.0 {
+        return;
+    }
     var old = atomicLoad(&film[at]);
     loop {
         let sum = bitcast<u32>(bitcast<f32>(old) + value);
@@ -155,7 +168,9 @@ fn add_to_film(at: u32, value: f32) {
 
 // Enters the walk's tally into the books and begins a new one.
 fn book_tally() {
-    item_segments += walk.tally.segments;
+    item_counts.segments += walk.tally.segments;
+    item_counts.depth = max(item_counts.depth, walk.tally.depth);
+    item_counts.pruned += walk.tally.pruned;
     books.segments = plus(books.segments, walk.tally.segments);
     books.returned = plus(books.returned, energy_units(walk.tally.returned));
     books.absorbed = plus(books.absorbed, energy_units(walk.tally.absorbed));

@@ -5,8 +5,7 @@ use std::borrow::Cow;
 use super::black_body::BlackBody;
 use super::observer::Observer;
 use super::polyline::Polyline;
-use super::rgb::Reflectance;
-use super::{Bins, Spectrum};
+use super::{Bins, Spectrum, rgb};
 
 /// A [`Spectrum`] with everything solved that does not depend on the wavelength.
 #[derive(Clone, Debug)]
@@ -14,7 +13,6 @@ pub(super) enum Curve {
     Flat(f32),
     Straight(Cow<'static, Polyline>),
     BlackBody(BlackBody),
-    Reflectance(Reflectance),
 }
 
 impl Curve {
@@ -28,7 +26,7 @@ impl Curve {
             }
             Spectrum::Illuminant(illuminant) => Self::Straight(Cow::Borrowed(illuminant.power())),
             Spectrum::BlackBody { kelvin } => Self::BlackBody(BlackBody::new(*kelvin)),
-            Spectrum::Rgb(rgb) => Self::Reflectance(Reflectance::from_rgb(*rgb)),
+            Spectrum::Rgb(rgb) => Self::Straight(Cow::Owned(rgb::reflectance(*rgb))),
         }
     }
 
@@ -38,7 +36,6 @@ impl Curve {
             Self::Flat(value) => f64::from(*value),
             Self::Straight(line) => line.at(lambda_nm),
             Self::BlackBody(body) => body.at(lambda_nm),
-            Self::Reflectance(reflectance) => reflectance.at(lambda_nm),
         }
     }
 
@@ -47,7 +44,7 @@ impl Curve {
         match self {
             Self::Flat(value) => vec![*value; bins.count()],
             Self::Straight(line) => Self::means(line, bins),
-            Self::BlackBody(_) | Self::Reflectance(_) => {
+            Self::BlackBody(_) => {
                 let knots = Observer::knots().iter();
                 let line = Polyline::new(knots.map(|&(lambda, _)| (lambda, self.at(lambda))));
                 Self::means(&line, bins)

@@ -5,12 +5,14 @@ mod bins;
 mod black_body;
 mod curve;
 mod illuminant;
+mod locus;
 mod observer;
 mod polyline;
 mod rgb;
 
 pub use bins::Bins;
 pub use illuminant::Illuminant;
+pub use locus::DominantWavelength;
 pub use observer::Observer;
 
 use serde::{Deserialize, Serialize};
@@ -50,20 +52,21 @@ pub enum Spectrum {
         /// Temperature in kelvin.
         kelvin: f32,
     },
-    /// A smooth reflectance that develops to this linear sRGB colour under the equal-energy white.
+    /// A smooth reflectance that develops to this linear sRGB colour under the equal-energy white;
+    /// linear in the colour.
     Rgb([f32; 3]),
 }
 
 impl Spectrum {
     /// The value at a wavelength in nm.
     ///
-    /// A black body or a colour is solved anew in each call (well under a millisecond); for many
+    /// A black body or a colour is made ready anew in each call (well under a millisecond); for many
     /// wavelengths use [`bin_means`](Self::bin_means).
     pub fn at(&self, lambda_nm: f32) -> f32 {
         self.curve().at(f64::from(lambda_nm)) as f32
     }
 
-    /// The mean over each bin, exact for straight lines; a black body or a colour is taken straight
+    /// The mean over each bin, exact for straight lines and colours; a black body is taken straight
     /// between whole nanometres.
     pub fn bin_means(&self, bins: Bins) -> Vec<f32> {
         self.curve().bin_means(bins)

@@ -28,9 +28,7 @@ static COLOUR_MATCHING: LazyLock<[Polyline; 3]> = LazyLock::new(|| {
 /// h/6·(f₋₁ + 4·f + f₊₁) over the knots, with half of it at the two ends.
 static KNOTS: LazyLock<Vec<(f64, DVec3)>> = LazyLock::new(|| {
     let (low, high) = (LAMBDA_MIN_NM as u32, LAMBDA_MAX_NM as u32);
-    let functions = |lambda_nm: u32| {
-        DVec3::from_array(std::array::from_fn(|i| COLOUR_MATCHING[i].at(f64::from(lambda_nm))))
-    };
+    let functions = |lambda_nm: u32| Observer::color_matching_at(f64::from(lambda_nm));
     let weight = |lambda_nm: u32| {
         let side = |inside: bool, neighbour: u32| {
             if inside {
@@ -51,6 +49,18 @@ impl Observer {
         Self::bin_weights(bins).into_iter().map(|weight| weight.as_vec3().to_array()).collect()
     }
 
+    /// The colour-matching functions x̄, ȳ, z̄ at a wavelength in nm, per nm and so scaled that the
+    /// integral of ȳ is 1.
+    pub fn color_matching_at(lambda_nm: f64) -> DVec3 {
+        DVec3::from_array(COLOUR_MATCHING.each_ref().map(|function| function.at(lambda_nm)))
+    }
+
+    /// X, Y and Z of mean radiances, one per bin.
+    pub fn xyz_of_means(means: &[f32], bins: Bins) -> DVec3 {
+        let weights = Self::bin_weights(bins).into_iter();
+        weights.zip(means).map(|(weight, &mean)| weight * f64::from(mean)).sum()
+    }
+
     /// X, Y and Z of a spectrum, integrated over every nanometre rather than over bins.
     pub fn xyz(spectrum: &Spectrum) -> DVec3 {
         let curve = spectrum.curve();
@@ -59,8 +69,7 @@ impl Observer {
 
     /// X, Y and Z of a spectrum as a film of these bins records it.
     pub fn binned_xyz(spectrum: &Spectrum, bins: Bins) -> DVec3 {
-        let means = spectrum.bin_means(bins);
-        Self::bin_weights(bins).into_iter().zip(means).map(|(w, mean)| w * f64::from(mean)).sum()
+        Self::xyz_of_means(&spectrum.bin_means(bins), bins)
     }
 
     /// [`color_matching`](Self::color_matching) before rounding.

@@ -56,6 +56,13 @@ impl Polyline {
         area
     }
 
+    /// The sum of lines of the same wavelengths, each multiplied by its weight.
+    pub(super) fn mixture(lines: &[Self; 3], weights: [f64; 3]) -> Self {
+        let value = |i: usize| lines.iter().zip(weights).map(|(line, w)| w * line.value[i]).sum();
+        let lambda_nm = lines[0].lambda_nm.clone();
+        Self { value: (0..lambda_nm.len()).map(value).collect(), lambda_nm }
+    }
+
     /// The same line with every value multiplied by `factor`.
     pub(super) fn scaled(mut self, factor: f64) -> Self {
         for value in &mut self.value {
@@ -84,6 +91,17 @@ mod tests {
         assert_eq!(line.at(450.0), 2.0);
         assert_eq!(line.at(500.0), 3.0);
         assert_eq!(line.at(900.0), 3.0);
+    }
+
+    #[test]
+    fn a_mixture_has_a_part_of_each() {
+        let line = |low, high| Polyline::new([(400.0, low), (500.0, high)]);
+        let mixture = Polyline::mixture(
+            &[line(1.0, 0.0), line(0.0, 1.0), line(2.0, 2.0)],
+            [0.5, 0.25, 0.125],
+        );
+        assert_eq!(mixture.lambda_nm, [400.0, 500.0]);
+        assert_eq!(mixture.value, [0.75, 0.5]);
     }
 
     #[test]

@@ -4,9 +4,9 @@ use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::{Tracer, TracerName, View, rules};
-use crate::develop::{LatentImage, XyzImage};
+use crate::develop::{CountImage, LatentImage, XyzImage};
 use crate::error::RendererError;
-use crate::film::Film;
+use crate::film::{Counts, Film, PixelRect};
 use crate::kernel::camera::{camera_ray, pixel_seed};
 use crate::kernel::trace::trace;
 use crate::kernel::walk::{RayStack, Tally, Walk};
@@ -60,12 +60,14 @@ impl CpuTracer {
         let (rules, pass_index) = (rules(view, settings), film.passes());
         let (size, bins) = (film.size(), film.bins().count());
         let strips = self.pool.install(|| {
-            film.sums_mut()
-                .par_chunks_mut(STRIP_PIXELS * bins)
+            let (sums, counts) = film.sums_and_counts_mut();
+            sums.par_chunks_mut(STRIP_PIXELS * bins)
+                .zip(counts.par_chunks_mut(STRIP_PIXELS))
                 .enumerate()
-                .map_init(RayStack::new, |stack, (strip, sums)| {
+                .map_init(RayStack::new, |stack, (strip, (sums, counts))| {
                     let mut statistics = Statistics::default();
-                    for (i, pixel) in sums.chunks_exact_mut(bins).enumerate() {
+                    let pixels = sums.chunks_exact_mut(bins).zip(counts);
+                    for (i, (pixel, counts)) in pixels.enumerate() {
                         if is_cancelled() {
                             return None;
                         }
@@ -74,6 +76,7 @@ impl CpuTracer {
                         let seed = pixel_seed(x, y);
                         let mut walk = Walk::new(scene, &rules, pass_index, seed, stack, pixel);
                         trace(&mut walk, &camera_ray(&view.frame, size, x, y, pass_index));
+                        *counts += Counts::from(&walk.tally);
                         statistics += pixel_statistics(&walk.tally);
                     }
                     Some(statistics)
@@ -130,7 +133,16 @@ impl Tracer for CpuTracer {
     }
 
     fn expose(&self, film: &Film) -> Result<LatentImage, RendererError> {
-        Ok(LatentImage::Memory(XyzImage::from_film(film)))
+        let (light, counts) = (XyzImage::from_film(film), CountImage::from_film(film));
+        Ok(LatentImage::Memory { light, counts })
+    }
+
+    fn mean_spectrum(&self, film: &Film, rect: PixelRect) -> Result<Vec<f32>, RendererError> {
+        Ok(self.pool.install(|| film.mean_spectrum(rect)))
+    }
+
+    fn copy(&self, film: &Film) -> Option<Film> {
+        Some(film.clone())
     }
 
     fn read(&self, film: Film) -> Result<Film, RendererError> {

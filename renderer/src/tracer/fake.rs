@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use super::{CpuTracer, Device, Tracer, TracerName, View};
 use crate::develop::LatentImage;
 use crate::error::RendererError;
-use crate::film::Film;
+use crate::film::{Film, PixelRect};
 use crate::packed::PackedScene;
 use crate::settings::TraceSettings;
 use crate::spectrum::Bins;
@@ -23,6 +23,7 @@ pub(crate) enum Call {
     Film,
     Trace,
     Expose,
+    Mean,
     Read,
 }
 
@@ -165,6 +166,15 @@ impl Tracer for FakeTracer {
             return Err(RendererError::Graphics(REASON.to_owned()));
         }
         self.cpu.expose(film)
+    }
+
+    fn mean_spectrum(&self, film: &Film, rect: PixelRect) -> Result<Vec<f32>, RendererError> {
+        self.device.call(Call::Mean)?;
+        self.cpu.mean_spectrum(film, rect)
+    }
+
+    fn copy(&self, film: &Film) -> Option<Film> {
+        self.cpu.copy(film)
     }
 
     fn read(&self, film: Film) -> Result<Film, RendererError> {

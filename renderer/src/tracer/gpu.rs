@@ -19,7 +19,7 @@ use self::walkers::Walkers;
 use super::{Tracer, TracerName, View, rules};
 use crate::develop::{GpuDeveloper, LatentImage};
 use crate::error::RendererError;
-use crate::film::Film;
+use crate::film::{Film, PixelRect};
 use crate::gpu::Graphics;
 use crate::packed::PackedScene;
 use crate::settings::TraceSettings;
@@ -52,20 +52,6 @@ impl GpuTracer {
     /// The device's memory is full, or it fails.
     pub fn sibling(&self) -> Result<Self, RendererError> {
         Self::with(&self.graphics, self.pipeline.clone(), self.developer.clone())
-    }
-
-    /// Mean spectral radiance of the film's pixel at column `x`, row `y`, one value per bin, without
-    /// reading back the others; None outside of the film.
-    ///
-    /// # Errors
-    /// The device fails.
-    pub fn read_pixel(
-        &self,
-        film: &GpuFilm,
-        x: u32,
-        y: u32,
-    ) -> Result<Option<Vec<f32>>, RendererError> {
-        film.read_pixel(&self.graphics, x, y)
     }
 
     /// For tests: several rounds in one call, of at most `items` camera rays where these are more
@@ -145,8 +131,18 @@ impl Tracer for GpuTracer {
     }
 
     fn expose(&self, film: &GpuFilm) -> Result<LatentImage, RendererError> {
-        let image = self.developer.expose(film.size(), film.bins(), film.passes(), film.bands())?;
-        Ok(LatentImage::Graphics(image))
+        let (size, bins) = (film.size(), film.bins());
+        let (light, counts) = self.developer.expose(size, bins, film.passes(), film.bands())?;
+        Ok(LatentImage::Graphics { light, counts })
+    }
+
+    fn mean_spectrum(&self, film: &GpuFilm, rect: PixelRect) -> Result<Vec<f32>, RendererError> {
+        let (bins, passes) = (film.bins(), film.passes());
+        self.developer.mean_spectrum(film.size(), bins, passes, film.bands(), rect)
+    }
+
+    fn copy(&self, _film: &GpuFilm) -> Option<Film> {
+        None
     }
 
     fn read(&self, film: GpuFilm) -> Result<Film, RendererError> {

@@ -18,7 +18,7 @@ use glam::Vec3;
 use crate::camera::{Camera, CameraFrame};
 use crate::develop::LatentImage;
 use crate::error::RendererError;
-use crate::film::Film;
+use crate::film::{Film, PixelRect};
 use crate::kernel::walk::TraceRules;
 use crate::packed::PackedScene;
 use crate::settings::TraceSettings;
@@ -72,6 +72,17 @@ pub trait Tracer {
     /// # Errors
     /// The device fails.
     fn expose(&self, film: &Self::Film) -> Result<LatentImage, RendererError>;
+
+    /// Mean spectral radiance of the pixels of `rect` that lie in the film, one value per bin; 0
+    /// where none does. Nothing else is fetched from where the film is.
+    ///
+    /// # Errors
+    /// The device fails.
+    fn mean_spectrum(&self, film: &Self::Film, rect: PixelRect) -> Result<Vec<f32>, RendererError>;
+
+    /// A copy of the film in the processor's memory, to be read while the film is traced on. None
+    /// where the film is elsewhere; passes are short there.
+    fn copy(&self, film: &Self::Film) -> Option<Film>;
 
     /// The film in the processor's memory.
     ///

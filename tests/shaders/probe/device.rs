@@ -21,7 +21,7 @@ const READ: BufferBindingType = BufferBindingType::Storage { read_only: true };
 const WRITE: BufferBindingType = BufferBindingType::Storage { read_only: false };
 /// What is bound, group by group.
 const GROUPS: [&[BufferBindingType]; 3] =
-    [&[READ; 10], &[READ, WRITE, WRITE], &[READ, READ, WRITE]];
+    [&[READ; 11], &[READ, WRITE, WRITE], &[READ, READ, WRITE]];
 
 /// One device for all tests. A machine without any fails the test rather than passing it unseen.
 fn graphics() -> &'static Graphics {
@@ -89,7 +89,7 @@ impl Shader {
         let buffers = [
             storage(&scene.instances),
             storage(&scene.top_nodes),
-            storage(&scene.top_order),
+            storage(&scene.words),
             storage(&scene.planes),
             storage(&scene.nodes),
             storage(&scene.triangles),
@@ -97,6 +97,7 @@ impl Shader {
             storage(&scene.index_tables),
             storage(&scene.spectra),
             storage(&scene.discs),
+            storage(&scene.passages),
         ];
         let group = self.group(0, &buffers);
         let World { scene, camera, size, rules, .. } = world;

@@ -73,6 +73,14 @@ fn take_hit() -> Hit {
     return hit;
 }
 
+fn take_reflectance() -> Reflectance {
+    var reflectance: Reflectance;
+    reflectance.row = take_u32();
+    reflectance.primaries = take_u32();
+    reflectance.weights = take_vec3();
+    return reflectance;
+}
+
 fn take_interface() -> Interface {
     var at: Interface;
     at.normal = take_vec3();
@@ -115,6 +123,11 @@ fn put_vec3(v: vec3f) {
     put_f32(v.z);
 }
 
+fn put_vec4(v: vec4f) {
+    put_vec3(v.xyz);
+    put_f32(v.w);
+}
+
 fn put_ray(ray: Ray) {
     put_vec3(ray.origin);
     put_f32(ray.lambda_low_nm);
@@ -155,6 +168,25 @@ fn put_material(material: PackedMaterial) {
     put_u32(material.absorption);
     put_u32(material.reflectance);
     put_f32(material.least_absorption);
+    let print = material.print;
+    put_vec3(print.front);
+    put_f32(print.front_offset);
+    put_vec3(print.tint);
+    put_u32(print.primaries);
+    put_u32(print.size.x);
+    put_u32(print.size.y);
+    put_u32(print.outside.x);
+    put_u32(print.outside.y);
+    put_u32(print.texels);
+    put_u32(print.levels);
+    put_u32(print.projection);
+    put_u32(print.projection_stride);
+}
+
+fn put_reflectance(reflectance: Reflectance) {
+    put_u32(reflectance.row);
+    put_u32(reflectance.primaries);
+    put_vec3(reflectance.weights);
 }
 
 // Each case is a walker of its own.
@@ -170,6 +202,7 @@ fn begin_walk() {
 // The books, the radiance, and the rays that wait, the last one first.
 fn put_walk() {
     put_u32(walk.tally.segments);
+    put_u32(walk.tally.depth);
     put_f32(walk.tally.returned);
     put_f32(walk.tally.absorbed);
     put_f32(walk.tally.pruned);

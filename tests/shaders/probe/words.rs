@@ -2,13 +2,14 @@
 
 use std::fmt::{Display, Formatter, Result as FormatResult};
 
+use brilliance_renderer::kernel::deposit::Reflectance;
 use brilliance_renderer::kernel::interface::Interface;
 use brilliance_renderer::kernel::lights::Cone;
 use brilliance_renderer::kernel::mesh::Sides;
 use brilliance_renderer::kernel::ray::{GROUND, Hit, Ray};
 use brilliance_renderer::kernel::walk::Walk;
 use brilliance_renderer::packed::{NONE, PackedMaterial};
-use glam::Vec3;
+use glam::{Vec3, Vec4};
 
 use super::tolerance::Tolerance;
 
@@ -56,6 +57,10 @@ impl Case {
 
     pub(crate) fn hit(self, hit: &Hit) -> Self {
         self.f32(hit.distance).u32(hit.instance).u32(hit.facet).vec3(hit.normal)
+    }
+
+    pub(crate) fn reflectance(self, reflectance: &Reflectance) -> Self {
+        self.u32(reflectance.row).u32(reflectance.primaries).vec3(reflectance.weights)
     }
 
     pub(crate) fn interface(self, at: &Interface) -> Self {
@@ -137,6 +142,10 @@ impl<'a> Take<'a> {
 
     pub(crate) fn hit(&mut self) -> Hit {
         Hit { distance: self.f32(), instance: self.u32(), facet: self.u32(), normal: self.vec3() }
+    }
+
+    pub(crate) fn reflectance(&mut self) -> Reflectance {
+        Reflectance { row: self.u32(), primaries: self.u32(), weights: self.vec3() }
     }
 
     pub(crate) fn interface(&mut self) -> Interface {
@@ -239,6 +248,11 @@ impl Put {
         self.0.push(Value::Vector(v));
     }
 
+    pub(crate) fn vec4(&mut self, v: Vec4) {
+        self.vec3(v.truncate());
+        self.f32(v.w);
+    }
+
     pub(crate) fn ray(&mut self, ray: &Ray) {
         self.vec3(ray.origin);
         self.f32(ray.lambda_low_nm);
@@ -279,12 +293,30 @@ impl Put {
         self.u32(material.absorption);
         self.u32(material.reflectance);
         self.f32(material.least_absorption);
+        let print = &material.print;
+        self.vec3(print.front);
+        self.f32(print.front_offset);
+        self.vec3(print.tint);
+        self.u32(print.primaries);
+        for word in print.size.into_iter().chain(print.outside) {
+            self.u32(word);
+        }
+        for word in [print.texels, print.levels, print.projection, print.projection_stride] {
+            self.u32(word);
+        }
+    }
+
+    pub(crate) fn reflectance(&mut self, reflectance: &Reflectance) {
+        self.u32(reflectance.row);
+        self.u32(reflectance.primaries);
+        self.vec3(reflectance.weights);
     }
 
     /// The books, the radiance, and the rays that wait, the last one first.
     pub(crate) fn walk(&mut self, walk: &mut Walk<'_>) {
         let tally = walk.tally;
         self.u32(tally.segments);
+        self.u32(tally.depth);
         for energy in [tally.returned, tally.absorbed, tally.pruned, tally.cut_off, tally.lost] {
             self.f32(energy);
         }

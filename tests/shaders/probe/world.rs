@@ -11,13 +11,15 @@ use brilliance_renderer::kernel::ray::Ray;
 use brilliance_renderer::kernel::trace::follow;
 use brilliance_renderer::kernel::walk::{RayStack, TraceRules, Walk};
 use brilliance_renderer::light::{DiscLight, Lights, SkyLight};
-use brilliance_renderer::material::{Dielectric, Diffuse, Dispersion, Material};
+use brilliance_renderer::material::{
+    Dielectric, Diffuse, Dispersion, Image, ImageOrigin, Layout, Material, Outside, Planar, Print,
+};
 use brilliance_renderer::mesh::Mesh;
 use brilliance_renderer::packed::{INDEX_TABLE_LEN, NONE, PackedScene, PackedSky};
 use brilliance_renderer::scene::{Ground, MeshSource, Object, Scene, Shape, Transform};
 use brilliance_renderer::solid::{HalfSpace, Solid};
 use brilliance_renderer::spectrum::{Bins, Illuminant, Spectrum};
-use glam::{DVec3, Quat, Vec3};
+use glam::{DVec3, Quat, Vec2, Vec3};
 
 use super::{Dice, Put, Take};
 
@@ -34,8 +36,8 @@ pub(crate) struct World {
 
 impl World {
     /// One of everything: a coloured block with another inside and a third beside it, face to
-    /// face; a brilliant; a matte brilliant and a coloured octahedron as meshes; a checkered ground
-    /// and all lights. The first material and the last absorb, so that to mistake nothing for
+    /// face; a brilliant; a matte brilliant and a coloured octahedron as meshes; a block and a cube
+    /// of triangles that are printed on; a checkered ground and all lights. The first material and the last absorb, so that to mistake nothing for
     /// either is noticed.
     pub(crate) fn full() -> Self {
         let lights = Lights {
@@ -59,6 +61,12 @@ impl World {
             object(block(DVec3::splat(1.5)), FLINT, Some(absorption(0.9))).at(6.0, 0.0, -1.0),
             object(Shape::RoundBrilliant(RoundBrilliant::default()), DIAMOND, None).turned(),
             Object { material: matte(), ..meshed(brilliant_mesh()) }.at(0.0, 8.0, 0.0).turned(),
+            Object { material: printed(projected()), ..block_of_paper() }
+                .at(-4.0, -5.0, 0.0)
+                .turned(),
+            Object { material: printed(unwrapped()), ..meshed(Arc::new(unwrapped_cube())) }
+                .at(2.0, -6.0, 0.0)
+                .turned(),
             object(block(DVec3::splat(0.6)), DIAMOND, Some(absorption(0.1))).at(6.0, 0.2, -1.0),
             object(block(DVec3::splat(1.5)), DIAMOND, Some(absorption(0.5))).at(6.0, 3.0, -1.0),
             Object { material: dielectric(FLINT, Some(falling())), ..octahedron() }
@@ -77,6 +85,33 @@ impl World {
         let rules =
             TraceRules { perturb: 0, significance_threshold: 0.05, max_depth: 3, ..full.rules };
         Self { name: "the curt scene", rules, ..full }
+    }
+
+    /// A coloured prism that throws the light of two lamps, a small one and a large one, on the
+    /// ground and on a matte block, with a second block in the way of some of it. There is no more,
+    /// since software devices end loops early (`tracer/gpu/pace`).
+    pub(crate) fn throwing() -> Self {
+        let lights = Lights {
+            discs: vec![disc(Vec3::new(0.5, -0.4, 0.7), 0.5), disc(Vec3::new(-0.6, 0.1, 0.4), 8.0)],
+            ..Lights::default()
+        };
+        let ground = Ground {
+            height: -3.0,
+            square: 1.3,
+            reflectance: [Spectrum::Flat(0.7), Spectrum::Rgb([0.2, 0.5, 0.3])],
+        };
+        let prism = object(wedge(), FLINT, Some(absorption(0.4)));
+        let objects = vec![
+            Object { throws_light: true, ..prism }.turned(),
+            Object { material: matte(), ..object(block(DVec3::splat(1.0)), FLINT, None) }
+                .at(2.5, 2.5, -2.0),
+            Object { material: matte(), ..object(block(DVec3::splat(0.5)), FLINT, None) }
+                .at(1.5, -1.5, 2.5),
+        ];
+        Self::new(
+            "the throwing scene",
+            &Scene { objects, ground: Some(ground), lights, ..Scene::default() },
+        )
     }
 
     /// The full scene under another sky.
@@ -138,6 +173,12 @@ impl World {
     pub(crate) fn absorbers(&self) -> Vec<u32> {
         let absorbs = |i: &u32| self.scene.materials[*i as usize].absorption != NONE;
         (0..self.scene.materials.len() as u32).filter(absorbs).collect()
+    }
+
+    /// The bodies that are printed on.
+    pub(crate) fn printed(&self) -> Vec<u32> {
+        let is_printed = |i: &u32| self.scene.material_of(*i).print.texels != NONE;
+        (0..self.scene.instances.len() as u32).filter(is_printed).collect()
     }
 
     /// A walk that takes its seed and its pass, does `work` and puts what has come of it.
@@ -224,12 +265,62 @@ fn dielectric(dispersion: Dispersion, absorption_per_mm: Option<Spectrum>) -> Ma
 }
 
 fn matte() -> Material {
-    Material::Diffuse(Diffuse { reflectance: falling() })
+    Material::Diffuse(Diffuse { reflectance: falling(), print: None })
+}
+
+fn printed(print: Print) -> Material {
+    Material::Diffuse(Diffuse { reflectance: falling(), print: Some(print) })
+}
+
+/// A few texels of any colours.
+fn image(size: [u32; 2]) -> Arc<Image> {
+    let mut dice = Dice::new(size[0]);
+    let texels = (0..size[0] * size[1]).map(|_| dice.word() & 0xff_ff_ff).collect();
+    Arc::new(Image { origin: ImageOrigin::Mesh("noise".to_owned()), size, texels })
+}
+
+/// On a part of what faces the camera, and again and again beside it.
+fn projected() -> Print {
+    let planar = Planar { facing: Vec3::Z, up: Vec3::Y, size_mm: [1.7, 2.2] };
+    Print {
+        image: image([7, 5]),
+        layout: Layout::Planar(planar),
+        outside: [Outside::Repeat, Outside::Bare],
+        tint: [1.0; 3],
+    }
+}
+
+fn unwrapped() -> Print {
+    Print {
+        image: image([4, 9]),
+        layout: Layout::Coordinates,
+        outside: [Outside::Mirror, Outside::Edge],
+        tint: [0.9, 0.5, 0.2],
+    }
+}
+
+fn block_of_paper() -> Object {
+    object(block(DVec3::splat(1.5)), DIAMOND, None)
+}
+
+/// A cube whose triangles have coordinates of their own, some beyond the image.
+fn unwrapped_cube() -> Mesh {
+    let cube = split_cube();
+    let mut dice = Dice::new(47);
+    let mut corner = || Vec2::new(dice.between(-1.0, 2.0), dice.between(-1.0, 2.0));
+    let coordinates = cube.triangles.iter().map(|_| [corner(), corner(), corner()]).collect();
+    Mesh::with_coordinates(cube.positions, cube.triangles, coordinates).expect("a mesh")
 }
 
 fn object(shape: Shape, dispersion: Dispersion, absorption_per_mm: Option<Spectrum>) -> Object {
     let material = dielectric(dispersion, absorption_per_mm);
-    Object { name: "body".to_owned(), shape, transform: Transform::default(), material }
+    Object {
+        name: "body".to_owned(),
+        shape,
+        transform: Transform::default(),
+        material,
+        throws_light: false,
+    }
 }
 
 /// Where and how a body stands.
@@ -261,6 +352,22 @@ fn block(half_extents: DVec3) -> Shape {
     Shape::Polyhedron(
         axes.into_iter().flat_map(|axis| [half_space(axis), half_space(-axis)]).collect(),
     )
+}
+
+/// A prism of three sides.
+fn wedge() -> Shape {
+    let half_space = |x, y, z| HalfSpace {
+        normal: DVec3::new(x, y, z).normalize(),
+        distance: 1.2,
+        name: String::new(),
+    };
+    Shape::Polyhedron(vec![
+        half_space(1.0, 0.0, 0.6),
+        half_space(-1.0, 0.0, 0.6),
+        half_space(0.0, 0.0, -1.0),
+        half_space(0.0, 1.0, 0.0),
+        half_space(0.0, -1.0, 0.0),
+    ])
 }
 
 /// A real mesh, as users open them.

@@ -29,6 +29,7 @@ pub(super) fn table() -> Table {
             World::under_sky("no hemisphere", |sky| sky.hemisphere = NONE),
             World::under_sky("no environment", |sky| sky.environment = NONE),
             World::under_sky("no sky", |sky| (sky.hemisphere, sky.environment) = (NONE, NONE)),
+            World::throwing(),
         ],
         probes: probes.into_iter().flatten().collect(),
     }
@@ -58,17 +59,17 @@ fn surfaces() -> Vec<Probe> {
         },
         Probe {
             name: "reflectance_at",
-            wgsl: "put_u32(reflectance_at(take_ray(), take_hit()));",
+            wgsl: "put_reflectance(reflectance_at(take_ray(), take_hit()));",
             rust: |world, take, put| {
                 let (ray, hit) = (take.ray(), take.hit());
-                put.u32(world.begin_walk(0, 0, |walk| reflectance_at(walk, &ray, &hit)));
+                put.reflectance(&world.begin_walk(0, 0, |walk| reflectance_at(walk, &ray, &hit)));
             },
             cases: |world| {
                 let case = |(ray, hit): &(Ray, Hit)| Case::new().ray(ray).hit(hit);
                 matte_points(world).iter().map(case).collect()
             },
-            // On the line between two squares.
-            tolerance: EXACT.but(0.002),
+            // On the line between two squares, and along the edge of an image.
+            tolerance: Tolerance::relative(1e-4).or(1e-4).but(0.004),
         },
         Probe {
             name: "is_shadowed",
@@ -142,7 +143,7 @@ fn directions() -> Vec<Probe> {
 }
 
 /// Rays that have been moved to where they met the ground or a matte body, and far-off ground.
-fn matte_points(world: &World) -> Vec<(Ray, Hit)> {
+pub(super) fn matte_points(world: &World) -> Vec<(Ray, Hit)> {
     let mut points = Vec::new();
     for ray in world.rays(3000) {
         let hit = find_intersection(&world.scene, &ray);

@@ -11,6 +11,8 @@ mod intersect;
 mod lights;
 mod mesh;
 mod packed;
+mod passage;
+mod print;
 mod ray;
 mod rng;
 mod spread;

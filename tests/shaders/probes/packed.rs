@@ -37,6 +37,18 @@ pub(super) fn table() -> Table {
                 tolerance: EXACT,
             },
             Probe {
+                name: "projection_row",
+                wgsl: "put_vec4(projection_row(take_u32()));",
+                rust: |world, take, put| put.vec4(world.scene.projection_row(take.u32())),
+                cases: |world| {
+                    let print = |instance: u32| world.scene.material_of(instance).print;
+                    let rows = |instance| [0, 4].map(|row| print(instance).projection + row);
+                    let rows = world.printed().into_iter().flat_map(rows);
+                    rows.map(|row| Case::new().u32(row)).collect()
+                },
+                tolerance: EXACT,
+            },
+            Probe {
                 name: "spectrum_value",
                 wgsl: "put_f32(spectrum_value(take_u32(), take_u32()));",
                 rust: |world, take, put| {

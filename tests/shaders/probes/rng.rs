@@ -1,6 +1,8 @@
 //! Reproducible numbers: the films of both tracers sample the same points.
 
-use brilliance_renderer::kernel::rng::{hash, light_sample, pixel_sample, unit_float};
+use brilliance_renderer::kernel::rng::{
+    hash, light_sample, pixel_sample, unit_float, wavelength_sample,
+};
 
 use crate::probe::{Case, EXACT, Probe, Table, World, throw};
 
@@ -39,6 +41,13 @@ pub(super) fn table() -> Table {
                 wgsl: "put_vec2(light_sample(take_u32(), take_u32()));",
                 rust: |_, take, put| put.vec2(light_sample(take.u32(), take.u32())),
                 cases: |_| words(2),
+                tolerance: EXACT,
+            },
+            Probe {
+                name: "wavelength_sample",
+                wgsl: "put_f32(wavelength_sample(take_u32()));",
+                rust: |_, take, put| put.f32(wavelength_sample(take.u32())),
+                cases: |_| words(1),
                 tolerance: EXACT,
             },
         ],

@@ -1,7 +1,9 @@
 //! One ray: the way of its light to the camera, and all that is known of it.
 
 use brilliance_renderer::inspect::{RayEnd, RecordedRay};
-use eframe::egui::{Frame, Grid, Link, Margin, Panel, RichText, Sense, Ui, WidgetText, vec2};
+use eframe::egui::{
+    Frame, Grid, Link, Margin, Panel, RichText, ScrollArea, Sense, Ui, WidgetText, vec2,
+};
 
 use super::table::{number, title_of};
 use super::traced::Traced;
@@ -9,13 +11,19 @@ use super::{Focus, legend};
 use crate::ray_words;
 use crate::theme;
 
+/// A longer path is scrolled, in points.
+const MOST_PATH_HEIGHT: f32 = 120.0;
+
 /// Shows the ray that is selected, at the foot of the panel.
 pub(super) fn show(ui: &mut Ui, traced: &Traced, focus: &mut Focus) {
     let Some(id) = focus.selected else { return };
     let frame = Frame::new().fill(theme::RAISED).corner_radius(4).inner_margin(Margin::same(8));
     Panel::bottom("ray").frame(frame).resizable(false).show(ui, |ui| {
         ui.set_width(ui.available_width());
-        path_ui(ui, traced, id, focus);
+        ScrollArea::vertical()
+            .id_salt("path")
+            .max_height(MOST_PATH_HEIGHT)
+            .show(ui, |ui| path_ui(ui, traced, id, focus));
         ui.separator();
         figures_ui(ui, traced.ray(id));
     });

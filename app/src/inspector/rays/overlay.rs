@@ -15,10 +15,13 @@ use crate::theme;
 
 /// Most rays that are drawn in a frame.
 pub(super) const MOST_RAYS: usize = 4000;
-/// The strongest of them are told apart by dashes; of weaker ones only the light is seen.
-const MOST_DASHED: usize = 300;
+/// The strongest of them are drawn with all they have, the others as plain lines.
+const MOST_DETAILED: usize = 300;
 /// A pointer this near to a ray, in points, points to it.
 const NEARNESS: f32 = 7.0;
+/// A ray that looks shorter than this, in points, can't be pointed at: seen end on, as the camera ray
+/// is when it has just been picked, it would be pointed at all the time.
+const SHORTEST: f32 = 3.0;
 /// Width of a slice of a fan's colours, in nm.
 const SLICE_NM: f32 = 12.0;
 
@@ -78,8 +81,9 @@ impl Drawing<'_> {
         let mut mesh = Mesh::default();
         for (rank, placed) in placed.iter().enumerate().rev() {
             if !path.contains(&placed.id) {
+                let is_detailed = path.is_empty() && rank < MOST_DETAILED;
                 let emphasis = if path.is_empty() { Emphasis::Plain } else { Emphasis::Aside };
-                self.add_ray(&mut mesh, placed, emphasis, rank < MOST_DASHED);
+                self.add_ray(&mut mesh, placed, emphasis, is_detailed);
             }
         }
         // The path that is looked at lies on top, whether the filter shows it or not.
@@ -129,7 +133,7 @@ impl Drawing<'_> {
         self.projection.line([ray.origin_mm, end]).map(|line| Placed { id, line })
     }
 
-    fn add_ray(&self, mesh: &mut Mesh, placed: &Placed, emphasis: Emphasis, is_dashed: bool) {
+    fn add_ray(&self, mesh: &mut Mesh, placed: &Placed, emphasis: Emphasis, is_detailed: bool) {
         let ray = self.traced.ray(placed.id);
         let strength = strength(ray.significance) * emphasis.strength();
         self.add_fan(mesh, ray, 0.55 * strength);
@@ -142,14 +146,13 @@ impl Drawing<'_> {
             .map(|part| if fades { faded(color, 1.0 - 0.95 * part) } else { color });
         let width = 0.5 + 1.3 * ray.significance.clamp(0.0, 1.0).sqrt();
         let [glow, widening] = emphasis.halo();
-        let halo = Stripe {
-            ends: placed.line.ends,
-            colors: colors.map(|color| faded(color, glow)),
-            width: widening * width + 1.0,
-        };
-        brush::stripe(mesh, &halo, None);
-        let core = Stripe { colors, width, ..halo };
-        brush::stripe(mesh, &core, legend::dashes(ray.kind).filter(|_| is_dashed));
+        let core = Stripe { ends: placed.line.ends, colors, width };
+        if is_detailed {
+            let colors = colors.map(|color| faded(color, glow));
+            let halo = Stripe { colors, width: widening * width + 1.0, ..core };
+            brush::stripe(mesh, &halo, None);
+        }
+        brush::stripe(mesh, &core, legend::dashes(ray.kind).filter(|_| is_detailed));
     }
 
     /// The directions of all wavelengths of the ray, where they can be told apart.
@@ -230,8 +233,9 @@ fn nearest(placed: &[Placed], pointer: Pos2) -> Option<u32> {
     let mut nearest = None;
     let mut least = NEARNESS;
     for placed in placed {
-        let distance = distance(placed.line.ends, pointer);
-        if distance < least - 0.5 {
+        let [a, b] = placed.line.ends;
+        let distance = distance([a, b], pointer);
+        if a.distance(b) >= SHORTEST && distance < least - 0.5 {
             (nearest, least) = (Some(placed.id), distance);
         }
     }
@@ -260,5 +264,8 @@ mod tests {
         assert_eq!(nearest(&rays, pos2(50.0, 11.0)), Some(7));
         assert_eq!(nearest(&rays, pos2(50.0, 18.0)), Some(5));
         assert_eq!(nearest(&rays, pos2(120.0, 18.0)), None);
+        let mut end_on = placed(1, 10.0);
+        end_on.line.ends[1] = end_on.line.ends[0];
+        assert_eq!(nearest(&[end_on], pos2(0.0, 10.0)), None);
     }
 }

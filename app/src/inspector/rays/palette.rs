@@ -39,17 +39,14 @@ pub(super) fn colors(intervals: &[[f32; 2]]) -> Vec<Color32> {
 
 fn develop(intervals: &[[f32; 2]]) -> Vec<Color32> {
     let bins = Bins::new(BINS);
-    let sums = intervals
-        .iter()
-        .flat_map(|&interval| {
-            let [low, high] = widened(interval);
-            (0..bins.count()).map(move |bin| {
-                let (from, to) = bins.range_nm(bin);
-                (to.min(high) - from.max(low)).max(0.0) / bins.width_nm()
-            })
-        })
-        .collect();
-    let film = Film::from_sums([intervals.len() as u32, 1], bins, sums, 1);
+    let mut film = Film::new(intervals.len() as u32, 1, bins);
+    for (sums, &interval) in film.sums_mut().chunks_exact_mut(bins.count()).zip(intervals) {
+        let [low, high] = widened(interval);
+        for (bin, sum) in sums.iter_mut().enumerate() {
+            let (from, to) = bins.range_nm(bin);
+            *sum = (to.min(high) - from.max(low)).max(0.0) / bins.width_nm();
+        }
+    }
     let settings = DisplaySettings {
         // Far below white, where no channel is brought down by the gamut mapping.
         exposure_ev: -6.0,

@@ -1,9 +1,9 @@
-//! From the film to CIE XYZ on a graphics device.
+//! From the film to CIE XYZ and mean counts on a graphics device.
 
 use bytemuck::{Pod, Zeroable};
 use wgpu::{BindingResource, BufferUsages};
 
-use super::{GpuDeveloper, GpuXyzImage, exposed_texture};
+use super::{GpuCountImage, GpuDeveloper, GpuXyzImage, exposed_texture};
 use crate::error::RendererError;
 use crate::spectrum::{Bins, Observer};
 
@@ -14,7 +14,8 @@ pub struct Band {
     pub first_row: u32,
     /// Number of rows.
     pub rows: u32,
-    /// Radiance sums as f32, row by row, the bins of a pixel side by side; usage `STORAGE`.
+    /// Sums as f32: radiance row by row, the bins of a pixel side by side, and behind those of all
+    /// rows the [`Counts`](crate::film::Counts) of each pixel. Its usage has `STORAGE`.
     pub buffer: wgpu::Buffer,
 }
 
@@ -28,11 +29,13 @@ struct Rows {
     first_row: u32,
     row_count: u32,
     bin_count: u32,
+    /// Passes in the film, at least 1.
+    passes: u32,
 }
 
 impl GpuDeveloper {
-    /// Integrates the mean over the passes of a film of `size` pixels in `bands`. A pixel that
-    /// holds a NaN or an infinity is black.
+    /// Integrates the mean over the passes of a film of `size` pixels in `bands`, and takes that of
+    /// its counts. A pixel that holds a NaN or an infinity is black.
     ///
     /// # Errors
     /// The image is larger than the device's textures, or the device fails.
@@ -42,11 +45,13 @@ impl GpuDeveloper {
         bins: Bins,
         passes: u32,
         bands: &[Band],
-    ) -> Result<GpuXyzImage, RendererError> {
+    ) -> Result<(GpuXyzImage, GpuCountImage), RendererError> {
         self.check_size(size)?;
-        let texture = self.graphics.guard("expose the film", |device| {
-            let texture = exposed_texture(device, size);
-            let view = texture.create_view(&wgpu::TextureViewDescriptor::default());
+        let [exposed, counted] = self.graphics.guard("expose the film", |device| {
+            let textures = [(); 2].map(|()| exposed_texture(device, size));
+            let [exposed, counted] = textures
+                .each_ref()
+                .map(|texture| texture.create_view(&wgpu::TextureViewDescriptor::default()));
             let weights = weights(bins, passes);
             let weights =
                 self.buffer(device, BufferUsages::STORAGE, bytemuck::cast_slice(&weights));
@@ -56,6 +61,7 @@ impl GpuDeveloper {
                     first_row: band.first_row,
                     row_count: band.rows,
                     bin_count: bins.count() as u32,
+                    passes: passes.max(1),
                 };
                 self.buffer(device, BufferUsages::UNIFORM, bytemuck::bytes_of(&rows))
             });
@@ -65,14 +71,16 @@ impl GpuDeveloper {
                     rows.as_entire_binding(),
                     weights.as_entire_binding(),
                     band.buffer.as_entire_binding(),
-                    BindingResource::TextureView(&view),
+                    BindingResource::TextureView(&exposed),
+                    BindingResource::TextureView(&counted),
                 ];
                 ([size[0], band.rows], resources)
             });
             self.submit(device, &self.expose, runs);
-            texture
+            textures
         })?;
-        Ok(GpuXyzImage::new(self.clone(), texture, bins))
+        let counts = GpuCountImage::new(self.clone(), counted);
+        Ok((GpuXyzImage::new(self.clone(), exposed, bins), counts))
     }
 
     /// A texture of this size can be made.
@@ -107,6 +115,6 @@ mod tests {
     #[test]
     fn the_shader_reads_rows_as_they_are_written() {
         let module = parse(&source(EXPOSE));
-        assert_twins!(&module, Rows { width, first_row, row_count, bin_count });
+        assert_twins!(&module, Rows { width, first_row, row_count, bin_count, passes });
     }
 }

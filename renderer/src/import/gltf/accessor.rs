@@ -1,6 +1,6 @@
 //! Accessors: typed, strided, possibly sparse views into the buffers.
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 use gltf::json;
 use json::accessor::{Accessor, ComponentType, Type};
 use json::validation::Checked;
@@ -47,6 +47,23 @@ impl<'a> Accessors<'a> {
             Vec3::from_array(
                 [0, 1, 2].map(|i| real(&bytes[i * size..(i + 1) * size], kind, normalized)),
             )
+        })
+        .map_err(place)
+    }
+
+    /// Texture coordinates: two components of any type.
+    pub(super) fn coordinates(&self, index: usize) -> Result<Vec<Vec2>, String> {
+        let place = |fault: String| format!("accessor {index}: {fault}");
+        let accessor = self.accessor(index)?;
+        let kind = component_type(accessor).map_err(place)?;
+        if !matches!(accessor.type_, Checked::Valid(Type::Vec2)) {
+            return Err(place("texture coordinates must be of type VEC2; export again".to_owned()));
+        }
+        let normalized = accessor.normalized;
+        let size = kind.size();
+        self.read(accessor, 2 * size, |bytes| {
+            let component = |i: usize| real(&bytes[i * size..(i + 1) * size], kind, normalized);
+            Vec2::new(component(0), component(1))
         })
         .map_err(place)
     }
@@ -124,6 +141,18 @@ impl<'a> Accessors<'a> {
         Ok(())
     }
 
+    /// The bytes of a buffer view.
+    pub(super) fn view(&self, view: usize) -> Result<&'a [u8], String> {
+        let fault = |what: &str| format!("buffer view {view} {what}; export again");
+        let json = self.root.buffer_views.get(view).ok_or_else(|| fault("does not exist"))?;
+        let buffer = self
+            .buffers
+            .get(json.buffer.value())
+            .ok_or_else(|| fault("names a buffer that does not exist"))?;
+        let start = json.byte_offset.unwrap_or_default().0;
+        range(buffer, start, json.byte_length.0).ok_or_else(|| fault("reaches beyond its buffer"))
+    }
+
     /// `count` elements of `size` bytes from `offset` in a buffer view, after checking that they
     /// are there.
     fn elements(
@@ -134,15 +163,8 @@ impl<'a> Accessors<'a> {
         count: usize,
     ) -> Result<Elements<'a>, String> {
         let fault = |what: &str| format!("buffer view {view} {what}; export again");
-        let json = self.root.buffer_views.get(view).ok_or_else(|| fault("does not exist"))?;
-        let buffer = self
-            .buffers
-            .get(json.buffer.value())
-            .ok_or_else(|| fault("names a buffer that does not exist"))?;
-        let start = json.byte_offset.unwrap_or_default().0;
-        let bytes = range(buffer, start, json.byte_length.0)
-            .ok_or_else(|| fault("reaches beyond its buffer"))?;
-        let stride = json.byte_stride.map_or(size, |stride| stride.0);
+        let bytes = self.view(view)?;
+        let stride = self.root.buffer_views[view].byte_stride.map_or(size, |stride| stride.0);
         if stride < size {
             return Err(fault("has a stride smaller than its elements"));
         }

@@ -71,7 +71,8 @@ impl<'a> Buffers<'a> {
     }
 }
 
-fn file_uri(uri: &str, folder: &Path) -> Result<Vec<u8>, String> {
+/// The bytes of a file beside the document.
+pub(super) fn file_uri(uri: &str, folder: &Path) -> Result<Vec<u8>, String> {
     let decoded = percent_decoded(uri)?;
     let path = PathBuf::from(&decoded);
     let leaves_root = |part: Component| matches!(part, Component::Prefix(_) | Component::RootDir);
@@ -97,7 +98,8 @@ fn percent_decoded(uri: &str) -> Result<String, String> {
     String::from_utf8(bytes).map_err(|_| fault())
 }
 
-fn data_uri(uri: &str) -> Result<Vec<u8>, String> {
+/// The bytes that stand in a URI itself.
+pub(super) fn data_uri(uri: &str) -> Result<Vec<u8>, String> {
     let (_, text) = uri
         .split_once(";base64,")
         .ok_or("its data URI is not base64; export with a separate or binary buffer")?;

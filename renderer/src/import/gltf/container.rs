@@ -1,9 +1,11 @@
 //! The file itself: JSON alone, or JSON and binary chunks in a GLB.
 
-use std::io::{self, Read};
+use std::io;
 use std::path::Path;
 
 use gltf::json;
+
+use crate::whole_file;
 
 /// Largest file that is read, in bytes.
 const MAX_FILE_BYTES: u64 = 1 << 32;
@@ -15,20 +17,7 @@ const EXTENSION_FAMILIES: [&str; 3] = ["KHR_materials_", "KHR_texture_", "EXT_te
 
 /// Reads a regular file whole.
 pub(super) fn read_file(path: &Path) -> io::Result<Vec<u8>> {
-    // Asked before opening: a pipe would block and a device never end.
-    let metadata = std::fs::metadata(path)?;
-    if !metadata.is_file() {
-        return Err(io::Error::other("not a regular file"));
-    }
-    if metadata.len() > MAX_FILE_BYTES {
-        return Err(io::Error::other(format!(
-            "{} bytes are too many; at most {MAX_FILE_BYTES} are read, so decimate the meshes",
-            metadata.len()
-        )));
-    }
-    let mut bytes = Vec::with_capacity(metadata.len() as usize);
-    std::fs::File::open(path)?.take(MAX_FILE_BYTES).read_to_end(&mut bytes)?;
-    Ok(bytes)
+    whole_file::read(path, MAX_FILE_BYTES)
 }
 
 /// The document and the binary chunk, if there is one.

@@ -1,7 +1,9 @@
 //! Materials: the KHR extensions of clear solids, and base colours of everything else.
 
 use gltf::json;
+use json::texture::Info;
 
+use super::texture::Images;
 use crate::material::{Dielectric, Diffuse, Dispersion, Material};
 use crate::spectrum::{Bins, Spectrum};
 
@@ -21,26 +23,28 @@ const LAMBDA_MAX_NM: f64 = crate::spectrum::LAMBDA_MAX_NM as f64;
 ///
 /// A clear solid is one with a transmission above 0 or, where the file states no transmission, with
 /// a volume. Its base colour, roughness and textures are not used.
-pub(super) fn material(root: &json::Root, index: Option<usize>) -> Result<Material, String> {
-    let Some(index) = index else { return Ok(diffuse([1.0; 3])) };
+pub(super) fn material(
+    root: &json::Root,
+    images: &mut Images,
+    index: Option<usize>,
+) -> Result<Material, String> {
+    let Some(index) = index else {
+        return Ok(Material::Diffuse(Diffuse {
+            reflectance: Spectrum::Rgb([1.0; 3]),
+            print: None,
+        }));
+    };
     let material = root
         .materials
         .get(index)
         .ok_or_else(|| format!("material {index} does not exist; export again"))?;
     let name = material.name.clone().unwrap_or_else(|| format!("material {index}"));
     let place = |fault: String| format!("material '{name}': {fault}");
-    let extensions = material.extensions.as_ref();
-    let transmission = extensions.and_then(|all| all.transmission.as_ref());
-    let volume = extensions.and_then(|all| all.volume.as_ref());
-    let is_clear = transmission
-        .map_or(volume.is_some(), |transmission| transmission.transmission_factor.0 > 0.0);
-    if !is_clear {
-        if material.pbr_metallic_roughness.base_color_texture.is_some() {
-            log::warn!("material '{name}': its texture is ignored, only its base colour is shown");
-        }
-        let [r, g, b, _] = material.pbr_metallic_roughness.base_color_factor.0;
-        return color([r, g, b]).map(diffuse).map_err(place);
+    if !is_clear(material) {
+        return diffuse(images, material).map(Material::Diffuse).map_err(place);
     }
+    let extensions = material.extensions.as_ref();
+    let volume = extensions.and_then(|all| all.volume.as_ref());
     let ior = extensions.and_then(|all| all.ior.as_ref()).map_or(DEFAULT_IOR, |ior| ior.ior.0);
     let strength = extensions
         .and_then(|all| all.others.get("KHR_materials_dispersion"))
@@ -58,8 +62,30 @@ pub(super) fn material(root: &json::Root, index: Option<usize>) -> Result<Materi
     Ok(Material::Dielectric(Dielectric { name, dispersion, absorption_per_mm }))
 }
 
-fn diffuse(color: [f32; 3]) -> Material {
-    Material::Diffuse(Diffuse { reflectance: Spectrum::Rgb(color) })
+/// The texture of the base colour of material `index`, if it is opaque and has one.
+pub(super) fn base_texture(root: &json::Root, index: Option<usize>) -> Option<&Info> {
+    let material = root.materials.get(index?)?;
+    let texture = material.pbr_metallic_roughness.base_color_texture.as_ref();
+    texture.filter(|_| !is_clear(material))
+}
+
+fn is_clear(material: &json::Material) -> bool {
+    let extensions = material.extensions.as_ref();
+    let transmission = extensions.and_then(|all| all.transmission.as_ref());
+    let volume = extensions.and_then(|all| all.volume.as_ref());
+    transmission.map_or(volume.is_some(), |transmission| transmission.transmission_factor.0 > 0.0)
+}
+
+/// The base colour, or the texture that it is multiplied with, as a print on white.
+fn diffuse(images: &mut Images, material: &json::Material) -> Result<Diffuse, String> {
+    let base = &material.pbr_metallic_roughness;
+    let [r, g, b, _] = base.base_color_factor.0;
+    let factor = color([r, g, b])?;
+    let Some(texture) = &base.base_color_texture else {
+        return Ok(Diffuse { reflectance: Spectrum::Rgb(factor), print: None });
+    };
+    let print = images.print(texture, factor)?;
+    Ok(Diffuse { reflectance: Spectrum::Flat(1.0), print: Some(print) })
 }
 
 fn color(rgb: [f32; 3]) -> Result<[f32; 3], String> {

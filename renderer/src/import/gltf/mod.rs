@@ -5,8 +5,9 @@
 //! The file's y-up frame is turned to z-up: (x, y, z) becomes (x, −z, y).
 //!
 //! Read: every mesh of the scene with its node transforms, KHR materials, punctual lights and
-//! perspective cameras. Not read: textures, skins, morph targets, animations, and compressed
-//! geometry (Draco, meshopt), which is refused by name.
+//! perspective cameras, and the base colour textures of opaque materials. Not read: other textures,
+//! skins, morph targets, animations, and compressed geometry (Draco, meshopt), which is refused by
+//! name.
 //!
 //! The JSON types of the `gltf` crate are used without its document layer, which panics on some
 //! broken files; here every index and range is checked where it is followed.
@@ -19,6 +20,7 @@ mod light;
 mod material;
 mod nodes;
 mod surface;
+mod texture;
 
 use std::path::Path;
 use std::sync::Arc;
@@ -34,6 +36,7 @@ use crate::mesh::Mesh;
 use accessor::Accessors;
 use buffers::Buffers;
 use surface::Surface;
+use texture::Images;
 
 /// Most vertices and indices a scene may draw: four for each triangle of the largest mesh.
 const MAX_EFFORT: u64 = 4 * Mesh::MAX_TRIANGLES as u64;
@@ -87,7 +90,7 @@ fn read(file: &[u8], folder: &Path) -> Result<GltfScene, String> {
     let (root, blob) = container::parse(file)?;
     let buffers = Buffers::load(&root, blob, folder)?;
     let worlds = nodes::world_transforms(&root)?;
-    let objects = objects(&root, &buffers, &worlds)?;
+    let objects = objects(&root, &buffers, folder, &worlds)?;
     if objects.is_empty() {
         return Err("its scene has no mesh; export the stone with its triangles".to_owned());
     }
@@ -102,10 +105,12 @@ fn read(file: &[u8], folder: &Path) -> Result<GltfScene, String> {
 fn objects(
     root: &json::Root,
     buffers: &Buffers,
+    folder: &Path,
     worlds: &[Option<DMat4>],
 ) -> Result<Vec<GltfObject>, String> {
     check_effort(root, worlds)?;
     let accessors = Accessors::new(root, buffers);
+    let mut images = Images::new(root, &accessors, folder);
     let mut objects = Vec::new();
     for (index, (node, world)) in root.nodes.iter().zip(worlds).enumerate() {
         let (Some(world), Some(mesh)) = (world, node.mesh) else { continue };
@@ -114,11 +119,11 @@ fn objects(
         })?;
         let name = node.name.clone().or_else(|| mesh.name.clone());
         let name = name.unwrap_or_else(|| format!("node {index}"));
-        let surfaces = surface::surfaces(&accessors, mesh)
+        let surfaces = surface::surfaces(root, &accessors, mesh)
             .map_err(|fault| format!("node '{name}': {fault}"))?;
         let names = object_names(&name, surfaces.len());
         for (name, surface) in names.zip(surfaces) {
-            objects.push(object(root, name, *world, surface)?);
+            objects.push(object(root, &mut images, name, *world, surface)?);
         }
     }
     Ok(objects)
@@ -151,16 +156,20 @@ fn object_names(node: &str, count: usize) -> impl Iterator<Item = String> {
 
 fn object(
     root: &json::Root,
+    images: &mut Images,
     name: String,
     world: DMat4,
     surface: Surface,
 ) -> Result<GltfObject, String> {
     let place = |fault: String| format!("node '{name}': {fault}");
-    let material = material::material(root, surface.material).map_err(place)?;
-    let mut triangles = surface.triangles;
+    let material = material::material(root, images, surface.material).map_err(place)?;
+    let (mut triangles, mut coordinates) = (surface.triangles, surface.coordinates);
     if world.determinant() < 0.0 {
         // A mirror turns counter-clockwise into clockwise.
         for corners in &mut triangles {
+            corners.swap(1, 2);
+        }
+        for corners in &mut coordinates {
             corners.swap(1, 2);
         }
     }
@@ -169,7 +178,8 @@ fn object(
         .iter()
         .map(|position| world.transform_point3(position.as_dvec3()).as_vec3())
         .collect();
-    let mesh = Mesh::new(positions, triangles).map_err(|fault| place(fault.to_string()))?;
+    let mesh = Mesh::with_coordinates(positions, triangles, coordinates)
+        .map_err(|fault| place(fault.to_string()))?;
     if matches!(material, Material::Dielectric(_)) {
         mesh.closed().map_err(|fault| {
             place(format!(

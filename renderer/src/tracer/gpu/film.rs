@@ -4,7 +4,7 @@ use wgpu::BufferUsages;
 
 use crate::develop::Band;
 use crate::error::RendererError;
-use crate::film::Film;
+use crate::film::{Counts, Film};
 use crate::gpu::Graphics;
 use crate::settings::TraceSettings;
 use crate::spectrum::Bins;
@@ -79,7 +79,7 @@ impl GpuFilm {
         self.passes
     }
 
-    /// The sums.
+    /// The sums and the counts.
     pub fn bands(&self) -> &[Band] {
         &self.bands
     }
@@ -96,37 +96,18 @@ impl GpuFilm {
     pub(super) fn read(&self, graphics: &Graphics) -> Result<Film, RendererError> {
         let [width, height] = self.size.map(|side| side as usize);
         let mut sums = vec![0.0_f32; width * height * self.bins.count()];
-        let mut rest = &mut sums[..];
+        let mut counts = vec![Counts::default(); width * height];
+        let (mut sums_left, mut counts_left) = (&mut sums[..], &mut counts[..]);
         for band in &self.bands {
-            let count = band.rows as usize * width * self.bins.count();
-            let (sums, others) = rest.split_at_mut(count);
-            graphics.fetch(&band.buffer, 0, bytemuck::cast_slice_mut(sums))?;
-            rest = others;
+            let pixels = band.rows as usize * width;
+            let sums = sums_left.split_off_mut(..pixels * self.bins.count()).unwrap_or_default();
+            let sums: &mut [u8] = bytemuck::cast_slice_mut(sums);
+            graphics.fetch(&band.buffer, 0, sums)?;
+            let counts = counts_left.split_off_mut(..pixels).unwrap_or_default();
+            let counts = bytemuck::cast_slice_mut(counts);
+            graphics.fetch(&band.buffer, sums.len() as u64, counts)?;
         }
-        Ok(Film::from_sums(self.size, self.bins, sums, self.passes))
-    }
-
-    /// Mean spectral radiance of the pixel at column `x`, row `y`, one value per bin; None outside
-    /// of the film.
-    ///
-    /// # Errors
-    /// The device fails.
-    pub(super) fn read_pixel(
-        &self,
-        graphics: &Graphics,
-        x: u32,
-        y: u32,
-    ) -> Result<Option<Vec<f32>>, RendererError> {
-        let holds_row = |band: &&Band| (band.first_row..band.first_row + band.rows).contains(&y);
-        let Some(band) = self.bands.iter().find(holds_row).filter(|_| x < self.size[0]) else {
-            return Ok(None);
-        };
-        let pixel = u64::from(y - band.first_row) * u64::from(self.size[0]) + u64::from(x);
-        let mut sums = vec![0.0_f32; self.bins.count()];
-        let bytes = bytemuck::cast_slice_mut(&mut sums);
-        graphics.fetch(&band.buffer, pixel * bytes.len() as u64, bytes)?;
-        let scale = 1.0 / self.passes.max(1) as f32;
-        Ok(Some(sums.into_iter().map(|sum| sum * scale).collect()))
+        Ok(Film::from_sums(self.size, self.bins, (sums, counts), self.passes))
     }
 }
 

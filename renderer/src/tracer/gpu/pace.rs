@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use crate::packed::{CONVEX, PackedScene};
+
 /// Time that a submission should take. Two are in flight, so that the device, which may draw a
 /// desktop too, is never away for longer than twice that.
 const TARGET: Duration = Duration::from_millis(4);
@@ -17,6 +19,11 @@ const MAX_BUDGET: u32 = 1 << 16;
 /// The same where the device is software: Mesa's ends all loops of an invocation when they have
 /// turned 65535 times in all (`LP_MAX_TGSI_LOOP_ITERATIONS`), and a ray takes hundreds of turns.
 const SOFTWARE_MAX_BUDGET: u32 = 32;
+/// What is then left for one ray.
+const SOFTWARE_RAY_TURNS: u64 = SOFTWARE_TURNS / SOFTWARE_MAX_BUDGET as u64;
+const SOFTWARE_TURNS: u64 = 65535;
+/// Turns that a ray takes at most, or near enough, to meet a mesh.
+const MESH_TURNS: u64 = 256;
 /// Most that the budget grows at a time.
 const MAX_GROWTH: f64 = 2.0;
 /// How many times the target the least budget may take before fewer walkers get on at a time. More
@@ -42,6 +49,20 @@ impl Ration {
     fn is_less_than(self, other: Self) -> bool {
         self.budget * other.parts < other.budget * self.parts
     }
+}
+
+/// Rays per walker that a software device can follow in this scene without running out of turns; 0
+/// where not even one.
+pub(super) fn software_budget(scene: &PackedScene) -> u32 {
+    let bodies = scene.instances.iter().map(|instance| match instance.kind {
+        CONVEX => u64::from(instance.count),
+        _ => MESH_TURNS,
+    });
+    let per_segment = scene.top_nodes.len() as u64 + bodies.sum::<u64>();
+    // At worst a matte point follows all passages back in all bins, by three rays each.
+    let per_passage = 1 + 3 * per_segment * scene.bins.count() as u64;
+    let per_ray = SOFTWARE_RAY_TURNS + per_passage * scene.passages.len() as u64;
+    (SOFTWARE_TURNS / per_ray) as u32
 }
 
 /// Sizes the next submission from what the last ones took.

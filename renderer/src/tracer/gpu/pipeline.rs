@@ -8,13 +8,14 @@ use wgpu::{
 use super::progress::{ACCOUNT_COUNT, ENERGY_UNIT, SUM_COUNT};
 use super::walkers::STACK_BYTES;
 use crate::error::RendererError;
+use crate::film::Counts;
 use crate::gpu::Graphics;
 use crate::shaders::{Constant, KERNEL, WALKERS, append, join, print};
 
 /// Walkers of a workgroup.
 pub(super) const WORKGROUP_SIZE: u32 = 64;
 /// Arrays of a scene.
-pub(super) const SCENE_BUFFERS: u32 = 10;
+pub(super) const SCENE_BUFFERS: u32 = 11;
 /// The frame, the stack and the radiance; the film, the walkers and the progress.
 const WORK_BUFFERS: u32 = 6;
 
@@ -68,6 +69,7 @@ fn source() -> String {
         ("ACCOUNT_COUNT", Constant::U32(ACCOUNT_COUNT as u32)),
         ("SUM_COUNT", Constant::U32(SUM_COUNT as u32)),
         ("ENERGY_UNIT", Constant::F32(ENERGY_UNIT)),
+        ("COUNTS_LEN", Constant::U32(Counts::LEN as u32)),
     ]);
     source.push_str(&join(KERNEL));
     append(&mut source, WALKERS);

@@ -173,7 +173,8 @@ impl Dispatcher {
             Some(readback) => readback,
             None => Readback::new(order.graphics, size_of::<Progress>() as u64)?,
         };
-        let ration = self.pace.ration();
+        let mut ration = self.pace.ration();
+        ration.budget = ration.budget.min(order.scene.max_budget);
         let all_groups = self.walkers.groups();
         let groups = all_groups.div_ceil(ration.parts).min(all_groups - self.next_group);
         frame.budget = ration.budget;

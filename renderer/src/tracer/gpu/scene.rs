@@ -5,6 +5,7 @@ use std::sync::Arc;
 use bytemuck::{NoUninit, Zeroable, bytes_of, cast_slice};
 use wgpu::{BindGroup, BufferUsages};
 
+use super::pace::software_budget;
 use super::pipeline::WalkPipeline;
 use crate::error::RendererError;
 use crate::gpu::{Graphics, bind};
@@ -19,6 +20,8 @@ pub struct GpuScene {
     pub(super) identity: Arc<()>,
     pub(super) bins: Bins,
     pub(super) group: BindGroup,
+    /// Rays per walker that the device can follow in one submission.
+    pub(super) max_budget: u32,
     /// What the kernel is told of it beside its arrays.
     pub(super) frame: Frame,
 }
@@ -27,16 +30,26 @@ impl GpuScene {
     /// Uploads a scene.
     ///
     /// # Errors
-    /// An array is larger than the device takes, the device's memory is full, or it fails.
+    /// An array is larger than the device takes, the scene is too much for a software device, the
+    /// device's memory is full, or it fails.
     pub(super) fn new(
         graphics: &Graphics,
         pipeline: &WalkPipeline,
         scene: &PackedScene,
     ) -> Result<Self, RendererError> {
+        let max_budget = if graphics.is_software() { software_budget(scene) } else { u32::MAX };
+        if max_budget == 0 {
+            return Err(RendererError::Graphics(format!(
+                "the graphics device {} is software that can't follow so much light through bodies \
+                 that throw it: {} passages; let fewer throw light, or trace on the CPU",
+                graphics.name(),
+                scene.passages.len()
+            )));
+        }
         let buffers = [
             upload(graphics, "bodies", &scene.instances)?,
             upload(graphics, "hierarchy of bodies", &scene.top_nodes)?,
-            upload(graphics, "order of bodies", &scene.top_order)?,
+            upload(graphics, "order of bodies and images", &scene.words)?,
             upload(graphics, "facets", &scene.planes)?,
             upload(graphics, "hierarchies of triangles", &scene.nodes)?,
             upload(graphics, "triangles", &scene.triangles)?,
@@ -44,12 +57,14 @@ impl GpuScene {
             upload(graphics, "indices of refraction", &scene.index_tables)?,
             upload(graphics, "spectra", &scene.spectra)?,
             upload(graphics, "lights", &scene.discs)?,
+            upload(graphics, "passages of light", &scene.passages)?,
         ];
         let group = graphics.guard("hold the scene", |device| {
             let buffers = buffers.iter().map(wgpu::Buffer::as_entire_binding);
             bind(device, &pipeline.scene_layout, buffers)
         })?;
-        Ok(Self { identity: Arc::new(()), bins: scene.bins, group, frame: Frame::of(scene) })
+        let (identity, bins, frame) = (Arc::new(()), scene.bins, Frame::of(scene));
+        Ok(Self { identity, bins, group, max_budget, frame })
     }
 }
 
@@ -66,7 +81,7 @@ fn upload<T: NoUninit + Zeroable>(
     if size > largest {
         return Err(RendererError::Graphics(format!(
             "the graphics device {} can't hold the scene: its {what} take {} MB, and the device \
-             takes {} MB at a time; use a smaller mesh, or trace on the CPU",
+             takes {} MB at a time; use a smaller mesh or image, or trace on the CPU",
             graphics.name(),
             size.div_ceil(1_000_000),
             largest / 1_000_000

@@ -17,8 +17,8 @@ pub(super) const RAY_BYTES: u64 = size_of::<Ray>().next_multiple_of(16) as u64;
 pub(super) const STACK_BYTES: u64 = STACK_LEN as u64 * RAY_BYTES;
 /// Radiance that one walker has found.
 const RADIANCE_BYTES: u64 = *TraceSettings::BINS.end() as u64 * size_of::<f32>() as u64;
-/// `Walker` of the shader: where its walk stands, its tally, its item.
-pub(super) const WALKER_BYTES: u64 = 52;
+/// `Walker` of the shader: where its walk stands, its tally, its item and what that came to.
+pub(super) const WALKER_BYTES: u64 = 64;
 
 /// The counter that `Progress` begins with.
 const NEXT_ITEM_BYTES: u64 = size_of::<u32>() as u64;

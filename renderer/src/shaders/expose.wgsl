@@ -1,4 +1,4 @@
-// CIE XYZ of a film.
+// What a film shows: CIE XYZ and mean counts.
 
 // Rows of a film, and where they lie in the image.
 struct Rows {
@@ -8,14 +8,18 @@ struct Rows {
     first_row: u32,
     row_count: u32,
     bin_count: u32,
+    // Passes in the film, at least 1.
+    passes: u32,
 }
 
 @group(0) @binding(0) var<uniform> rows: Rows;
 // What radiance 1 in each bin adds to the mean over the film's passes.
 @group(0) @binding(1) var<storage, read> weights: array<vec3f>;
-// Radiance sums as bits, row by row from the top, the bins of a pixel side by side.
+// Sums as bits: radiance row by row from the top, the bins of a pixel side by side; behind those of
+// all rows the counts, `COUNTS_LEN` numbers per pixel.
 @group(0) @binding(2) var<storage, read> film: array<u32>;
 @group(0) @binding(3) var exposed: texture_storage_2d<rgba32float, write>;
+@group(0) @binding(4) var counted: texture_storage_2d<rgba32float, write>;
 
 // Integrates the mean over the film's passes. A pixel that holds a NaN or an infinity is black.
 fn from_film(pixel: u32) -> vec3f {
@@ -31,11 +35,20 @@ fn from_film(pixel: u32) -> vec3f {
     return select(vec3f(0.0), xyz, is_color);
 }
 
+// The rays, the depth and the pruned light of one camera ray, as the mean over the film's passes.
+fn mean_counts(pixel: u32) -> vec3f {
+    let start = rows.width * rows.row_count * rows.bin_count + pixel * COUNTS_LEN;
+    let sums = vec3u(film[start], film[start + 1u], film[start + 2u]);
+    return bitcast<vec3f>(sums) / f32(rows.passes);
+}
+
 @compute @workgroup_size(WORKGROUP_SIDE, WORKGROUP_SIDE)
 fn expose(@builtin(global_invocation_id) at: vec3u) {
     if at.x >= rows.width || at.y >= rows.row_count {
         return;
     }
-    let xyz = from_film(at.y * rows.width + at.x);
-    textureStore(exposed, vec2u(at.x, rows.first_row + at.y), vec4f(xyz, 1.0));
+    let pixel = at.y * rows.width + at.x;
+    let texel = vec2u(at.x, rows.first_row + at.y);
+    textureStore(exposed, texel, vec4f(from_film(pixel), 1.0));
+    textureStore(counted, texel, vec4f(mean_counts(pixel), 1.0));
 }
