@@ -132,25 +132,27 @@ fn picture(
     }
 }
 
-/// Each leaving ray at its deviation, as wide as its spread: rays of every other parent in the lower
-/// row, so that what overlaps is seen.
+/// Each leaving ray at its deviation, as wide as its spread: those of one parent in one row, so that
+/// what overlaps is seen.
 fn directions(sheet: &mut Sheet, strip: Rect, rays: &PrismRays, [from, to]: [f64; 2]) {
     const THINNEST_MM: f64 = 0.25;
+    const MOST_ROWS: usize = 8;
     sheet.fill(strip.corners(), Ink::Dark);
-    let row_height = 0.5 * strip.size().y;
     let mut parents: Vec<u32> = rays.leaving.iter().map(|ray| ray.parent).collect();
     parents.dedup();
+    let rows = parents.len().clamp(1, MOST_ROWS);
+    let row_height = (strip.size().y - 1.0) / rows as f64;
     for ray in &rays.leaving {
         let place = |degrees: f64| {
             strip.min.x + 2.0 + (strip.size().x - 4.0) * (degrees - from) / (to - from)
         };
         let [a, b] = ray.deviation_interval(rays.arrival).map(place);
         let (middle, half) = (0.5 * (a + b), (0.5 * (b - a).abs() - 0.06).max(0.5 * THINNEST_MM));
-        let row = parents.iter().position(|parent| *parent == ray.parent).unwrap_or(0) % 2;
-        let top = strip.min.y + row_height * row as f64;
+        let row = parents.iter().position(|parent| *parent == ray.parent).unwrap_or(0) % rows;
+        let top = strip.min.y + 0.5 + row_height * row as f64;
         let bar = Rect {
-            min: DVec2::new(middle - half, top + 0.4),
-            max: DVec2::new(middle + half, top + row_height - 0.4),
+            min: DVec2::new(middle - half, top + 0.1),
+            max: DVec2::new(middle + half, top + row_height - 0.1),
         };
         sheet.fill(bar.corners(), light(ray));
     }
