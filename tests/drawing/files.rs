@@ -94,7 +94,8 @@ fn a_png_has_ink_where_there_are_lines_and_paper_elsewhere() {
     let mut checked = 0;
     for stroke in outlines {
         let middle = at(0.5 * (stroke.points[0] + stroke.points[1]));
-        assert!(middle < 60, "{middle} in the middle of an outline");
+        // A leader may cross it there, in its own grey.
+        assert!(middle < 120, "{middle} in the middle of an outline");
         checked += 1;
     }
     assert!(checked > 30);

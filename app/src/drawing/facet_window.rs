@@ -53,7 +53,7 @@ impl FacetWindow {
         let shown = Window::new("Line drawing")
             .open(&mut open)
             .collapsible(false)
-            .default_size([780.0, 590.0])
+            .default_size([960.0, 730.0])
             .min_size([320.0, 260.0])
             .default_pos(ctx.content_rect().left_top() + vec2(16.0, 44.0))
             .show(ctx, |ui| self.contents_ui(ui));

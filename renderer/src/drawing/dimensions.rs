@@ -102,18 +102,17 @@ fn heights(sheet: &mut Sheet, figure: &Figure, measures: &BodyMeasures) {
     }
     let mut widest = 0.0_f64;
     let places = spread(&texts.iter().map(|(_, y)| *y).collect::<Vec<_>>(), LINE_MM);
-    for ((text, middle), place) in texts.iter().zip(places) {
-        let start = DVec2::new(x + 3.4, place);
+    for ((text, middle), place) in texts.iter().zip(&places) {
+        let start = DVec2::new(x + 3.4, *place);
         sheet.stroke([DVec2::new(x, *middle), start - DVec2::new(0.6, 0.0)], PEN_MM, Ink::Fine);
         let baseline = start + DVec2::new(0.0, 0.5 * font::CAP_HEIGHT * EM_MM);
         sheet.write(text, baseline, Anchor::Start, EM_MM, Ink::Main);
         widest = widest.max(font::width(text, EM_MM));
     }
     // Its lines pass above and below the texts of the chain, or it stays with the title block.
-    let bounds = Rect { min: DVec2::new(x, y(top)), max: DVec2::new(x + 3.4 + widest, y(bottom)) };
-    let first = sheet.marks.len() - 2 * texts.len();
-    let written = sheet.marks[first..].iter().filter_map(Mark::as_words);
-    if parts.len() > 1 && written.map(Words::bounds).all(|room| bounds.contains(&room.grown(0.3))) {
+    let half_line = 0.5 * LINE_MM;
+    let is_clear = |place: &f64| *place - half_line > y(top) && *place + half_line < y(bottom);
+    if parts.len() > 1 && places.iter().all(is_clear) {
         let text = percent(measures.depth, measures);
         whole(sheet, x + 6.4 + widest, [y(top), y(bottom)], x, &text);
     }

@@ -81,8 +81,10 @@ impl<'a> Figure<'a> {
     /// it passes so closely that it seems to belong to them.
     pub(super) fn disturbance(&self, ends: [DVec2; 2]) -> usize {
         let crossed = self.edges.iter().filter(|edge| crossing(ends, edge.ends).is_some());
+        // A corner counts for each of the edges that end there.
         let corners = self.edges.iter().flat_map(|edge| edge.ends);
-        crossed.count() + corners.filter(|corner| distance(*corner, ends) < NEAR_MM).count()
+        let near = corners.filter(|corner| distance(*corner, ends) < NEAR_MM);
+        crossed.count() + near.count()
     }
 
     /// How far the body reaches to the right (`side` 1) or left (−1) at the heights from `top` to
@@ -134,6 +136,25 @@ impl<'a> Figure<'a> {
             }
         }
         best
+    }
+
+    /// Places in `facet` where a leader may end: that farthest from the edges, and others that are
+    /// nearly as far from them.
+    pub(super) fn footholds(&self, facet: usize) -> Vec<DVec2> {
+        const AWAY: [f64; 2] = [0.45, 0.8];
+        let Some(best) = self.spot(facet, DVec2::ZERO) else { return Vec::new() };
+        let rim = self.rim(facet);
+        let clearance =
+            |at: DVec2| rim.iter().map(|edge| distance(at, *edge)).fold(f64::INFINITY, f64::min);
+        let others = rim
+            .iter()
+            .flat_map(|[a, b]| AWAY.map(|fraction| best.at.lerp(0.5 * (*a + *b), fraction)));
+        let others = others.filter(|at| {
+            is_inside(*at, &rim)
+                && clearance(*at) > 0.75 * best.clearance
+                && self.is_seen(facet, Rect::centered(*at, DVec2::ZERO))
+        });
+        std::iter::once(best.at).chain(others).collect()
     }
 
     /// True if nothing stands before `rect` on `facet`.

@@ -18,8 +18,8 @@ const LINE_MM: f64 = 1.25 * EM_MM;
 const MARGIN_MM: f64 = 0.6;
 /// Distance of a label outside from the outline, in mm.
 const GAP_MM: f64 = 5.0;
-/// Distance from the middle of one place outside to the next, in mm.
-const STEP_MM: f64 = 1.5 * EM_MM;
+/// Distance from one place outside that is tried to the next, in mm.
+const STEP_MM: f64 = 0.5 * EM_MM;
 /// Space between a leader and its label, in mm.
 const LEADER_GAP_MM: f64 = 0.9;
 /// Length that a leader may be longer to cross one edge less, in mm.
@@ -114,12 +114,8 @@ impl<'a> Labels<'a> {
     fn outside(&self, class: &FacetClass, room: Rect) -> Option<Label> {
         let lines = vec![format!("{} {}", class.name, class.angle_text())];
         let size = size_of(&lines);
-        let spots: Vec<DVec2> = class
-            .facets
-            .iter()
-            .filter_map(|&facet| self.figure.spot(facet, DVec2::ZERO))
-            .map(|spot| spot.at)
-            .collect();
+        let spots: Vec<DVec2> =
+            class.facets.iter().flat_map(|&facet| self.figure.footholds(facet)).collect();
         let steps = (room.size().y / STEP_MM).floor() as u32;
         let mut best: Option<Candidate> = None;
         for step in 0..=steps {
@@ -129,7 +125,8 @@ impl<'a> Labels<'a> {
                 let from = place.center() - DVec2::new(side * (0.5 * size.x + LEADER_GAP_MM), 0.0);
                 for &spot in &spots {
                     let leader = [from, spot];
-                    if place.is_crossed_by(leader) || self.is_blocked(leader) {
+                    let is_far = best.as_ref().is_some_and(|best| from.distance(spot) >= best.cost);
+                    if is_far || place.is_crossed_by(leader) || self.is_blocked(leader) {
                         continue;
                     }
                     let disturbance = self.figure.disturbance(leader) as f64;

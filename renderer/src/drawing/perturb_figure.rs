@@ -16,10 +16,10 @@ const SIZE: DVec2 = DVec2::new(92.0, 50.0);
 /// Distance from the left edge of one to that of the other.
 const PITCH: f64 = 100.0;
 /// Where the ray meets the surface in a picture.
-const MEETING: DVec2 = DVec2::new(50.0, 30.0);
+const MEETING: DVec2 = DVec2::new(46.0, 32.0);
 /// Length of the rays above the surface and below it.
-const ABOVE: f64 = 26.0;
-const BELOW: f64 = 17.0;
+const ABOVE: f64 = 28.0;
+const BELOW: f64 = 16.0;
 const PEN_MM: f64 = 0.35;
 const THIN_PEN_MM: f64 = 0.18;
 const EM_MM: f64 = 3.1;

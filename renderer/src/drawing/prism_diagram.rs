@@ -23,11 +23,10 @@ const WIDTH: f64 = 273.0;
 const HEIGHT: f64 = 76.0;
 /// Distance between two pictures.
 const GUTTER: f64 = 7.0;
-/// Where the prism's origin is in a picture, over its width, and below its upper edge.
-const ORIGIN_X: f64 = 0.44;
-const ORIGIN_Y: f64 = 44.0;
+/// Where the ray meets the prism, over the size of the picture.
+const ENTRY: DVec2 = DVec2::new(0.36, 0.46);
 /// Millimetres of paper per millimetre of the prism.
-const SCALE: f64 = 2.1;
+const SCALE: f64 = 2.2;
 /// Height of the strip that shows the directions of the leaving rays, and its distance.
 const STRIP_HEIGHT: f64 = 9.0;
 const STRIP_GAP: f64 = 3.0;
@@ -69,11 +68,11 @@ pub fn prism_diagram(setup: &PrismSetup, shown: PerturbShown) -> Result<Sheet, R
     let title = DVec2::new(LEFT, 16.0);
     sheet.write(sheet.title.clone(), title, Anchor::Start, TITLE_EM_MM, Ink::Main);
     let values = format!(
-        "Apex {:.0}°, n(D) = {:.3}, dispersion B–G {:.3}, incidence {:.0}°; K = {:.1}, smallest lamp {:.1}°",
+        "Apex {:.0}°, n(D) = {:.3}, dispersion B–G {:.3}, incidence {}°; K = {:.1}, smallest lamp {:.1}°",
         setup.apex_degrees,
         setup.n_d,
         setup.dispersion_bg,
-        setup.incidence_degrees,
+        format!("{:.0}", setup.incidence_degrees).replace('-', "\u{2212}"),
         setup.split_count,
         setup.lamp_degrees
     );
@@ -85,7 +84,7 @@ pub fn prism_diagram(setup: &PrismSetup, shown: PerturbShown) -> Result<Sheet, R
         let rays = &rays[usize::from(perturb)];
         let corner = DVec2::new(LEFT + (width + GUTTER) * index as f64, TOP);
         let room = Rect { min: corner, max: corner + DVec2::new(width, HEIGHT) };
-        picture(&mut sheet, room, setup, rays);
+        picture(&mut sheet, room, setup, rays, degrees);
         let strip = Rect {
             min: DVec2::new(room.min.x, room.max.y + STRIP_GAP),
             max: room.max + DVec2::new(0.0, STRIP_GAP + STRIP_HEIGHT),
@@ -98,10 +97,22 @@ pub fn prism_diagram(setup: &PrismSetup, shown: PerturbShown) -> Result<Sheet, R
 }
 
 /// The prism and its rays, in the dark.
-fn picture(sheet: &mut Sheet, room: Rect, setup: &PrismSetup, rays: &PrismRays) {
+fn picture(
+    sheet: &mut Sheet,
+    room: Rect,
+    setup: &PrismSetup,
+    rays: &PrismRays,
+    [least, most]: [f64; 2],
+) {
     sheet.fill(room.corners(), Ink::Dark);
-    let origin = room.min + DVec2::new(ORIGIN_X * room.size().x, ORIGIN_Y);
-    let place = |point: DVec2| origin + SCALE * DVec2::new(point.x, -point.y);
+    let entry = setup.entry();
+    // Turned so that what arrives and what leaves make equal angles with the horizontal.
+    let upright = DVec2::from_angle((0.25 * (least + most)).to_radians());
+    let turn = upright.rotate(rays.arrival * DVec2::new(1.0, -1.0));
+    let place = |point: DVec2| {
+        let turned = turn.rotate(point - entry);
+        room.min + ENTRY * room.size() + SCALE * DVec2::new(turned.x, -turned.y)
+    };
     let white = [rays.white.from, rays.white.to.unwrap_or(rays.white.from)].map(place);
     if let Some(ends) = room.clipped(white) {
         sheet.stroke(ends, RAY_PEN_MM, light(&rays.white));
@@ -113,33 +124,35 @@ fn picture(sheet: &mut Sheet, room: Rect, setup: &PrismSetup, rays: &PrismRays) 
             sheet.stroke(ends, RAY_PEN_MM, light(ray));
         }
     }
-    let [apex, left, right] = setup.corners().map(place);
-    for side in [[apex, left], [left, right], [right, apex]] {
-        if let Some(ends) = room.clipped(side) {
+    let corners: Vec<DVec2> = setup.corners().into_iter().map(place).collect();
+    for (index, corner) in corners.iter().enumerate() {
+        if let Some(ends) = room.clipped([*corner, corners[(index + 1) % corners.len()]]) {
             sheet.stroke(ends, GLASS_PEN_MM, Ink::Pale);
         }
     }
 }
 
-/// Each leaving ray at its deviation, as wide as its spread: rays of every other parent in the lower
-/// row, so that what overlaps is seen.
+/// Each leaving ray at its deviation, as wide as its spread: those of one parent in one row, so that
+/// what overlaps is seen.
 fn directions(sheet: &mut Sheet, strip: Rect, rays: &PrismRays, [from, to]: [f64; 2]) {
     const THINNEST_MM: f64 = 0.25;
+    const MOST_ROWS: usize = 8;
     sheet.fill(strip.corners(), Ink::Dark);
-    let row_height = 0.5 * strip.size().y;
     let mut parents: Vec<u32> = rays.leaving.iter().map(|ray| ray.parent).collect();
     parents.dedup();
+    let rows = parents.len().clamp(1, MOST_ROWS);
+    let row_height = (strip.size().y - 1.0) / rows as f64;
     for ray in &rays.leaving {
         let place = |degrees: f64| {
             strip.min.x + 2.0 + (strip.size().x - 4.0) * (degrees - from) / (to - from)
         };
         let [a, b] = ray.deviation_interval(rays.arrival).map(place);
         let (middle, half) = (0.5 * (a + b), (0.5 * (b - a).abs() - 0.06).max(0.5 * THINNEST_MM));
-        let row = parents.iter().position(|parent| *parent == ray.parent).unwrap_or(0) % 2;
-        let top = strip.min.y + row_height * row as f64;
+        let row = parents.iter().position(|parent| *parent == ray.parent).unwrap_or(0) % rows;
+        let top = strip.min.y + 0.5 + row_height * row as f64;
         let bar = Rect {
-            min: DVec2::new(middle - half, top + 0.4),
-            max: DVec2::new(middle + half, top + row_height - 0.4),
+            min: DVec2::new(middle - half, top + 0.1),
+            max: DVec2::new(middle + half, top + row_height - 0.1),
         };
         sheet.fill(bar.corners(), light(ray));
     }
@@ -176,14 +189,9 @@ fn words(sheet: &mut Sheet, strip: Rect, rays: &PrismRays, perturb: bool, degree
 
 /// The least and the greatest deviation of any leaving ray, in degrees.
 fn deviations(pictures: &[PrismRays; 2]) -> [f64; 2] {
-    let ends = pictures
-        .iter()
-        .flat_map(|rays| rays.leaving.iter().flat_map(|ray| ray.deviation_interval(rays.arrival)));
-    let span = ends.fold(None, |span: Option<[f64; 2]>, degrees| {
-        let [low, high] = span.unwrap_or([degrees, degrees]);
-        Some([low.min(degrees), high.max(degrees)])
-    });
-    let [low, high] = span.unwrap_or([0.0, 1.0]);
+    let spans = pictures.iter().filter_map(PrismRays::deviations);
+    let all = spans.reduce(|[a, b], [low, high]| [a.min(low), b.max(high)]);
+    let [low, high] = all.unwrap_or([0.0, 1.0]);
     [low, high.max(low + 1e-3)]
 }
 

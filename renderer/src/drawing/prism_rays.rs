@@ -15,9 +15,11 @@ use crate::settings::TraceSettings;
 use crate::solid::HalfSpace;
 use crate::spectrum::{Illuminant, Spectrum};
 
-/// Height of the apex and of the base over the origin, in mm.
-const APEX_MM: f64 = 12.0;
-const BASE_MM: f64 = -8.0;
+/// Height of the top and of the base over the origin, in mm; a wide prism ends below the top.
+const TOP_MM: f64 = 10.0;
+const BASE_MM: f64 = -10.0;
+/// Half the distance between the sides at the height of the origin, in mm.
+const HALF_WIDTH_MM: f64 = 6.0;
 /// Half the length of the prism, in mm.
 const HALF_LENGTH_MM: f64 = 10.0;
 /// How far from the prism the ray starts, in mm.
@@ -28,7 +30,8 @@ const SIGNIFICANCE: f32 = 0.1;
 const MAX_DEPTH: u32 = 4;
 const MAX_RAYS: usize = 40_000;
 
-/// A prism with its apex up, the ray that meets its left side, and how rays are divided.
+/// A prism with its apex up, cut off where that is far up, the ray that meets its left side, and how
+/// rays are divided.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PrismSetup {
     /// Angle between the two sides, in degrees.
@@ -47,7 +50,7 @@ pub struct PrismSetup {
 
 impl PrismSetup {
     /// Allowed [`apex_degrees`](Self::apex_degrees).
-    pub const APEX_DEGREES: RangeInclusive<f64> = 10.0..=75.0;
+    pub const APEX_DEGREES: RangeInclusive<f64> = 1.0..=75.0;
     /// Allowed [`n_d`](Self::n_d).
     pub const N_D: RangeInclusive<f64> = 1.3..=2.6;
     /// Allowed [`dispersion_bg`](Self::dispersion_bg).
@@ -69,21 +72,32 @@ impl PrismSetup {
         lamp_degrees: 6.0,
         split_count: 3.0,
     };
-    /// A thin prism, where the first side undoes a part of what the second one does: sub-rays that
-    /// all keep their parent's direction fan out too far and cross.
+    /// A wedge that is nearly a plate, which would send all wavelengths on in one direction: the
+    /// second side undoes what the first one does, but not for sub-rays that all keep their parent's
+    /// direction. Each fan is turned round and crosses its neighbours.
     pub const CROSSING: Self = Self {
-        apex_degrees: 22.0,
+        apex_degrees: 4.0,
         n_d: 1.5,
-        dispersion_bg: 0.14,
-        incidence_degrees: -24.0,
-        lamp_degrees: 3.0,
-        split_count: 3.0,
+        dispersion_bg: 0.3,
+        incidence_degrees: 65.0,
+        lamp_degrees: 6.0,
+        split_count: 3.5,
     };
 
-    /// Corners of the cross-section: apex, left and right; x to the right, y up, in mm.
-    pub fn corners(&self) -> [DVec2; 3] {
-        let half_base = (APEX_MM - BASE_MM) * self.half_apex().tan();
-        [DVec2::new(0.0, APEX_MM), DVec2::new(-half_base, BASE_MM), DVec2::new(half_base, BASE_MM)]
+    /// Corners of the cross-section, in turn; x to the right, y up, in mm. The apex is cut off where
+    /// it lies far up.
+    pub fn corners(&self) -> Vec<DVec2> {
+        let half_width = |y: f64| HALF_WIDTH_MM - y * self.half_apex().tan();
+        let apex_y = HALF_WIDTH_MM / self.half_apex().tan();
+        let base = half_width(BASE_MM);
+        let mut corners = vec![DVec2::new(-base, BASE_MM), DVec2::new(base, BASE_MM)];
+        if apex_y > TOP_MM {
+            let top = half_width(TOP_MM);
+            corners.extend([DVec2::new(top, TOP_MM), DVec2::new(-top, TOP_MM)]);
+        } else {
+            corners.push(DVec2::new(0.0, apex_y));
+        }
+        corners
     }
 
     /// The unit vector along which the ray arrives.
@@ -93,11 +107,10 @@ impl PrismSetup {
         inward * cos + inward.perp() * sin
     }
 
-    /// Where the ray meets the prism.
+    /// Where the ray meets the prism: the farther down, the more it rises inside.
     pub fn entry(&self) -> DVec2 {
-        let [apex, left, _] = self.corners();
-        // In the part nearer the apex of a wide prism, so that the ray leaves by the other side.
-        apex.lerp(left, 0.45)
+        let y = -4.0 * self.incidence_degrees.to_radians().sin();
+        DVec2::new(y * self.half_apex().tan() - HALF_WIDTH_MM, y)
     }
 
     fn half_apex(&self) -> f64 {
@@ -105,26 +118,21 @@ impl PrismSetup {
     }
 
     fn scene(&self) -> Scene {
-        let apex = DVec3::new(0.0, 0.0, APEX_MM);
-        let side = |x: f64, name: &str| {
-            let (sin, cos) = self.half_apex().sin_cos();
-            let normal = DVec3::new(x * cos, 0.0, sin);
-            HalfSpace { normal, distance: normal.dot(apex), name: name.to_owned() }
-        };
-        let end = |y: f64, name: &str| HalfSpace {
-            normal: DVec3::Y * y,
-            distance: HALF_LENGTH_MM,
+        let (sin, cos) = self.half_apex().sin_cos();
+        let plane = |x: f64, y: f64, z: f64, distance: f64, name: &str| HalfSpace {
+            normal: DVec3::new(x, y, z),
+            distance,
             name: name.to_owned(),
         };
-        let base = HalfSpace { normal: DVec3::NEG_Z, distance: -BASE_MM, name: "base".to_owned() };
         let prism = Object {
             name: "Prism".to_owned(),
             shape: Shape::Polyhedron(vec![
-                side(-1.0, "left"),
-                side(1.0, "right"),
-                base,
-                end(-1.0, "front"),
-                end(1.0, "back"),
+                plane(-cos, 0.0, sin, HALF_WIDTH_MM * cos, "left"),
+                plane(cos, 0.0, sin, HALF_WIDTH_MM * cos, "right"),
+                plane(0.0, 0.0, 1.0, TOP_MM, "top"),
+                plane(0.0, 0.0, -1.0, -BASE_MM, "base"),
+                plane(0.0, -1.0, 0.0, HALF_LENGTH_MM, "front"),
+                plane(0.0, 1.0, 0.0, HALF_LENGTH_MM, "back"),
             ]),
             transform: Transform::default(),
             material: Material::Dielectric(Dielectric {
@@ -165,7 +173,7 @@ pub struct PrismRay {
 }
 
 impl PrismRay {
-    /// How far it has been turned from `arrival`, clockwise, in degrees.
+    /// How far it is turned from `arrival`, clockwise, in degrees.
     pub fn deviation_degrees(&self, arrival: DVec2) -> f64 {
         self.direction.angle_to(arrival).to_degrees()
     }
@@ -240,6 +248,15 @@ impl PrismRays {
         }
         rays.leaving.sort_by(|a, b| a.interval_nm[0].total_cmp(&b.interval_nm[0]));
         rays
+    }
+
+    /// The least and the greatest deviation of what leaves, in degrees; `None` if nothing does.
+    pub fn deviations(&self) -> Option<[f64; 2]> {
+        let ends = self.leaving.iter().flat_map(|ray| ray.deviation_interval(self.arrival));
+        ends.fold(None, |span: Option<[f64; 2]>, degrees| {
+            let [low, high] = span.unwrap_or([degrees, degrees]);
+            Some([low.min(degrees), high.max(degrees)])
+        })
     }
 
     /// The part of the leaving fan, in 0..=1, that no ray covers with its own spread: the gaps
