@@ -2,7 +2,7 @@
 
 use brilliance_renderer::color;
 use brilliance_renderer::develop::{
-    ColorPath, CountImage, GamutFault, HeatMap, NOTHING, XyzImage, brightest_srgb8,
+    ColorPath, CountImage, GamutFault, HeatMap, NOTHING, XyzImage, brightest_srgb8, interval_srgb8,
 };
 use brilliance_renderer::film::{Counts, Film};
 use brilliance_renderer::settings::{DisplaySettings, ToneCurve, WhitePoint};
@@ -346,4 +346,16 @@ fn the_brightest_of_a_chromaticity_is_on_the_edge_of_the_gamut() {
         assert_eq!(code.iter().min(), Some(&0), "{lambda_nm}: {code:?}");
     }
     assert_eq!(brightest_srgb8(DVec3::ZERO), [0; 3]);
+}
+
+#[test]
+fn intervals_have_the_colours_of_their_wavelengths_and_the_whole_spectrum_is_white() {
+    assert_eq!(interval_srgb8([380.0, 730.0]), [255; 3]);
+    let [red, green, blue] = [640.0, 530.0, 450.0].map(|nm| interval_srgb8([nm, nm]));
+    assert!(red[0] == 255 && red[1] < 120 && red[2] < 120, "{red:?}");
+    assert!(green[1] == 255 && green[0] < 160 && green[2] < 160, "{green:?}");
+    assert!(blue[2] == 255 && blue[0] < 160 && blue[1] < 120, "{blue:?}");
+    for ends in [[380.0, 380.0], [730.0, 730.0], [0.0, 0.0], [500.0, 500.1]] {
+        assert_eq!(interval_srgb8(ends).into_iter().max(), Some(255), "{ends:?}");
+    }
 }

@@ -28,7 +28,7 @@ use rayon::prelude::*;
 use crate::color;
 use crate::error::RendererError;
 use crate::settings::DisplaySettings;
-pub use brightest::brightest_srgb8;
+pub use brightest::{brightest_srgb8, interval_srgb8};
 pub use color_path::{ColorPath, GamutFault, GamutShift};
 pub use count_image::CountImage;
 pub use gpu::{Band, GpuCountImage, GpuDeveloper, GpuXyzImage};

@@ -11,7 +11,6 @@ mod figure;
 mod file;
 pub mod font;
 mod labels;
-mod light_color;
 mod measures;
 mod perturb_figure;
 mod prism_diagram;

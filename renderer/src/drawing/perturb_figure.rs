@@ -2,9 +2,9 @@
 
 use glam::{DVec2, Vec3};
 
-use super::light_color::light_color;
 use super::rect::Rect;
 use super::sheet::{Anchor, Ink, Sheet};
+use crate::develop::interval_srgb8;
 use crate::kernel::interface::refract;
 use crate::kernel::ray::Ray;
 use crate::kernel::spread::{direction_at, perturb};
@@ -90,7 +90,7 @@ fn surface(sheet: &mut Sheet, corner: DVec2) {
 /// A ray and the two that bound its spread.
 fn fan(sheet: &mut Sheet, corner: DVec2, ray: &Ray, ink: Ink, name: &str) {
     for lambda_nm in [ray.lambda_low_nm, ray.lambda_high_nm] {
-        let color = light_color([f64::from(lambda_nm); 2]);
+        let color = interval_srgb8([f64::from(lambda_nm); 2]);
         let thin = Line { ink: Ink::Light(color), width_mm: THIN_PEN_MM, is_dashed: false };
         arriving(sheet, corner, direction_at(ray, lambda_nm), &thin, "");
     }
@@ -154,5 +154,5 @@ fn light(ray: &Ray) -> Ink {
     if ends == [LAMBDA_MIN_NM, LAMBDA_MAX_NM] {
         return Ink::Main;
     }
-    Ink::Light(light_color(ends.map(f64::from)))
+    Ink::Light(interval_srgb8(ends.map(f64::from)))
 }

@@ -3,11 +3,11 @@
 
 use glam::DVec2;
 
-use super::light_color::light_color;
 use super::perturb_figure;
 use super::prism_rays::{PrismRay, PrismRays, PrismSetup};
 use super::rect::Rect;
 use super::sheet::{Anchor, Ink, Sheet};
+use crate::develop::interval_srgb8;
 use crate::error::RendererError;
 
 /// A4, lying.
@@ -196,5 +196,5 @@ fn deviations(pictures: &[PrismRays; 2]) -> [f64; 2] {
 }
 
 fn light(ray: &PrismRay) -> Ink {
-    Ink::Light(light_color(ray.interval_nm))
+    Ink::Light(interval_srgb8(ray.interval_nm))
 }

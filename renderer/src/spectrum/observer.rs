@@ -74,12 +74,12 @@ impl Observer {
 
     /// [`color_matching`](Self::color_matching) before rounding.
     pub(crate) fn bin_weights(bins: Bins) -> Vec<DVec3> {
-        bins.ranges_nm()
-            .map(|(low, high)| {
-                let weights = COLOUR_MATCHING.each_ref().map(|f| f.integral(low, high));
-                DVec3::from_array(weights)
-            })
-            .collect()
+        bins.ranges_nm().map(|(low, high)| Self::xyz_between(low, high)).collect()
+    }
+
+    /// X, Y and Z of radiance 1 between two wavelengths in nm and none elsewhere.
+    pub(crate) fn xyz_between(low_nm: f64, high_nm: f64) -> DVec3 {
+        DVec3::from_array(COLOUR_MATCHING.each_ref().map(|f| f.integral(low_nm, high_nm)))
     }
 
     /// X, Y and Z of a function of wavelength in nm.

@@ -33,13 +33,12 @@ impl Traced {
         let mut strongest: Vec<u32> = (0..tree.rays.len() as u32).collect();
         let significance = |id: &u32| tree.rays[*id as usize].significance;
         strongest.sort_by(|a, b| significance(b).total_cmp(&significance(a)));
-        let intervals: Vec<_> =
-            tree.rays.iter().map(|ray| [ray.lambda_low_nm, ray.lambda_high_nm]).collect();
+        let color = |ray: &RecordedRay| palette::color([ray.lambda_low_nm, ray.lambda_high_nm]);
         Self {
             outline: outline::edges(scene),
             strongest,
             deepest: tree.rays.iter().map(|ray| ray.depth).max().unwrap_or(0),
-            colors: palette::colors(&intervals),
+            colors: tree.rays.iter().map(color).collect(),
             reaches_lamp: reaching_lamps(&tree.rays),
             reach_mm: Bounds::of(scene).radius,
             tree,
