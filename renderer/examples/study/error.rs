@@ -4,7 +4,11 @@ use brilliance_renderer::color::{self, Lab};
 use brilliance_renderer::develop::XyzImage;
 use brilliance_renderer::film::Film;
 use brilliance_renderer::settings::DisplaySettings;
-use glam::DVec3;
+use glam::{DVec3, Vec3};
+
+/// Side of the blocks of pixels whose means are compared too: what an eye that stands back sees, or
+/// more passes of fewer pixels.
+const BLOCK_SIDE: usize = 5;
 
 /// Differences over all pixels.
 pub(crate) struct PictureError {
@@ -14,23 +18,48 @@ pub(crate) struct PictureError {
     pub(crate) mean_delta_e: f64,
     /// Its 99th percentile.
     pub(crate) high_delta_e: f64,
+    /// Mean CIEDE2000 difference of the means over blocks of pixels.
+    pub(crate) block_delta_e: f64,
 }
 
 impl PictureError {
     /// The differences of a film from the converged one.
     pub(crate) fn between(film: &Film, converged: &Film, display: &DisplaySettings) -> Self {
         let [image, reference] = [film, converged].map(XyzImage::from_film);
-        let mut delta_e: Vec<f64> = labs(&image, display)
-            .zip(labs(&reference, display))
-            .map(|(found, wanted)| found.delta_e_2000(wanted))
-            .collect();
-        delta_e.sort_by(f64::total_cmp);
+        let delta_e = delta_e(&image, &reference, display);
+        let blocks = self::delta_e(&blocks(&image), &blocks(&reference), display);
         Self {
             relative_rmse: relative_rmse(&image.linear_rgb(), &reference.linear_rgb()),
-            mean_delta_e: delta_e.iter().sum::<f64>() / delta_e.len() as f64,
+            mean_delta_e: mean(&delta_e),
             high_delta_e: delta_e[(delta_e.len() - 1) * 99 / 100],
+            block_delta_e: mean(&blocks),
         }
     }
+}
+
+/// The differences of all pixels, the least first.
+fn delta_e(image: &XyzImage, reference: &XyzImage, display: &DisplaySettings) -> Vec<f64> {
+    let pairs = labs(image, display).zip(labs(reference, display));
+    let mut delta_e: Vec<f64> = pairs.map(|(found, wanted)| found.delta_e_2000(wanted)).collect();
+    delta_e.sort_by(f64::total_cmp);
+    delta_e
+}
+
+fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
+}
+
+/// The means over whole blocks of pixels.
+fn blocks(image: &XyzImage) -> XyzImage {
+    let [width, height] = image.size.map(|side| side as usize / BLOCK_SIDE);
+    let pixel = |x: usize, y: usize| Vec3::from(image.xyz[y * image.size[0] as usize + x]);
+    let block = |x: usize, y: usize| {
+        let pixels = (0..BLOCK_SIDE * BLOCK_SIDE)
+            .map(|i| pixel(x * BLOCK_SIDE + i % BLOCK_SIDE, y * BLOCK_SIDE + i / BLOCK_SIDE));
+        (pixels.sum::<Vec3>() / (BLOCK_SIDE * BLOCK_SIDE) as f32).to_array()
+    };
+    let xyz = (0..width * height).map(|i| block(i % width, i / width)).collect();
+    XyzImage { size: [width as u32, height as u32], bins: image.bins, xyz }
 }
 
 fn relative_rmse(found: &[[f32; 3]], wanted: &[[f32; 3]]) -> f64 {

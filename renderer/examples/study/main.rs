@@ -90,8 +90,10 @@ fn sweep(
     for scene in scenes {
         let converged = scene.trace(&sweep.converged)?;
         println!("\n{}, {name}\n", scene.name);
-        println!("| {name} | rays per pixel | RMSE | mean ΔE₀₀ | 99 % ΔE₀₀ | light pruned |");
-        println!("|---|---|---|---|---|---|");
+        println!(
+            "| {name} | rays per pixel | RMSE | mean ΔE₀₀ | 99 % ΔE₀₀ | blocks' ΔE₀₀ | light pruned |"
+        );
+        println!("|---|---|---|---|---|---|---|");
         let mut films: Vec<Film> = Vec::new();
         let mut points = Vec::new();
         for Candidate { value, settings } in &sweep.candidates {
@@ -99,18 +101,19 @@ fn sweep(
             let error =
                 PictureError::between(&still.film, &converged.film, &scene.document.display);
             println!(
-                "| {value} | {:.1} | {:.4} | {:.3} | {:.2} | {:.2} % |",
+                "| {value} | {:.1} | {:.4} | {:.3} | {:.2} | {:.3} | {:.2} % |",
                 still.statistics.mean_segments_per_camera_ray(),
                 error.relative_rmse,
                 error.mean_delta_e,
                 error.high_delta_e,
+                error.block_delta_e,
                 100.0 * still.statistics.ledger.pruned / still.statistics.ledger.entered,
             );
             points.push((f64::from(*value), error.mean_delta_e));
             films.push(still.film);
         }
         println!(
-            "| converged | {:.1} | | | | |",
+            "| converged | {:.1} | | | | | |",
             converged.statistics.mean_segments_per_camera_ray()
         );
         films.push(converged.film);

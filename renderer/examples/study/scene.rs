@@ -47,6 +47,8 @@ impl StudyScene {
             RendererError::Invalid(format!("{name}: no scene of this name ships any more"))
         })?;
         let mut document = Document::from_toml(scene.text, Path::new(""))?;
+        // Its sampled light would differ by more than the settings do.
+        document.scene.ground = None;
         let camera = document.scene.camera;
         document.scene.camera =
             Camera { target, fov_y_radians: fov_y_degrees.to_radians(), ..camera };
