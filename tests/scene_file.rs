@@ -48,6 +48,11 @@ fn table_spectrum() -> Spectrum {
     Spectrum::Tabulated { lambda_nm: vec![400.0, 550.5, 700.0], value: vec![0.1, 0.333, 0.0] }
 }
 
+fn shipped(name: &str) -> Document {
+    let scene = scenes().iter().find(|scene| scene.name == name).expect("it ships");
+    read(scene.text).expect("it is read")
+}
+
 #[test]
 fn the_start_document_is_the_shipped_diamond() {
     assert_eq!(read(scenes()[0].text).unwrap(), Document::default());
@@ -68,14 +73,14 @@ fn shipped_scenes_are_read_and_round_trip() {
         .map(|scene| scene.name)
         .collect();
     assert_eq!(throwing, ["Beam"], "the key is read, and what is thrown is worth its time");
-    let seven = read(scenes()[1].text).unwrap();
+    let seven = shipped("Seven diamonds");
     assert_eq!(seven.scene.objects.len(), 7);
     assert_eq!(seven.scene.lights.discs.len(), 9);
 }
 
 #[test]
 fn the_prism_stands_at_minimum_deviation() {
-    let prism = read(scenes()[2].text).unwrap();
+    let prism = shipped("Prism");
     let n = find("SF11").unwrap().dispersion.n_d();
     let deviation = 2.0 * (n * 0.5).asin().to_degrees() - 60.0;
     let to_light = prism.scene.lights.discs[0].direction;

@@ -78,7 +78,8 @@ impl DroppedFile for Dropped {
 fn a_file_that_is_dropped_on_the_window_is_opened() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("prism.toml");
-    std::fs::write(&path, scenes()[2].text).expect("the scene is written");
+    let prism = scenes().iter().find(|scene| scene.name == "Prism").expect("it ships");
+    std::fs::write(&path, prism.text).expect("the scene is written");
     let mut harness = harness();
     harness.input_mut().dropped_files.push(Arc::new(Dropped(path)));
     harness.step();
