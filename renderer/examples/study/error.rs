@@ -20,6 +20,8 @@ pub(crate) struct PictureError {
     pub(crate) high_delta_e: f64,
     /// Mean CIEDE2000 difference of the means over blocks of pixels.
     pub(crate) block_delta_e: f64,
+    /// Mean luminance over that of the converged picture.
+    pub(crate) luminance_ratio: f64,
 }
 
 impl PictureError {
@@ -33,8 +35,13 @@ impl PictureError {
             mean_delta_e: mean(&delta_e),
             high_delta_e: delta_e[(delta_e.len() - 1) * 99 / 100],
             block_delta_e: mean(&blocks),
+            luminance_ratio: luminance(&image) / luminance(&reference),
         }
     }
+}
+
+fn luminance(image: &XyzImage) -> f64 {
+    image.xyz.iter().map(|xyz| f64::from(xyz[1])).sum()
 }
 
 /// The differences of all pixels, the least first.

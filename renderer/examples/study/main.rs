@@ -20,8 +20,8 @@ use plot::Series;
 use scene::StudyScene;
 
 /// Split counts whose pictures are held against the converged one.
-const SPLIT_COUNTS: [f32; 5] = [1.0, 2.0, 3.0, 6.0, 12.0];
-/// Of the converged picture, and of the sweep of split counts.
+const SPLIT_COUNTS: [f32; 6] = [1.0, 2.0, 3.0, 6.0, 12.0, 24.0];
+/// Of the converged picture: beyond what the program lets one choose.
 const FINE_SPLIT_COUNT: f32 = 48.0;
 /// Significance thresholds whose pictures are held against the converged one.
 const THRESHOLDS: [f32; 5] = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5];
@@ -91,9 +91,9 @@ fn sweep(
         let converged = scene.trace(&sweep.converged)?;
         println!("\n{}, {name}\n", scene.name);
         println!(
-            "| {name} | rays per pixel | RMSE | mean ΔE₀₀ | 99 % ΔE₀₀ | blocks' ΔE₀₀ | light pruned |"
+            "| {name} | rays per pixel | RMSE | mean ΔE₀₀ | 99 % ΔE₀₀ | blocks' ΔE₀₀ | light | pruned |"
         );
-        println!("|---|---|---|---|---|---|---|");
+        println!("|---|---|---|---|---|---|---|---|");
         let mut films: Vec<Film> = Vec::new();
         let mut points = Vec::new();
         for Candidate { value, settings } in &sweep.candidates {
@@ -101,19 +101,20 @@ fn sweep(
             let error =
                 PictureError::between(&still.film, &converged.film, &scene.document.display);
             println!(
-                "| {value} | {:.1} | {:.4} | {:.3} | {:.2} | {:.3} | {:.2} % |",
+                "| {value} | {:.1} | {:.4} | {:.3} | {:.2} | {:.3} | {:.4} | {:.2} % |",
                 still.statistics.mean_segments_per_camera_ray(),
                 error.relative_rmse,
                 error.mean_delta_e,
                 error.high_delta_e,
                 error.block_delta_e,
+                error.luminance_ratio,
                 100.0 * still.statistics.ledger.pruned / still.statistics.ledger.entered,
             );
             points.push((f64::from(*value), error.mean_delta_e));
             films.push(still.film);
         }
         println!(
-            "| converged | {:.1} | | | | | |",
+            "| converged | {:.1} | | | | | | |",
             converged.statistics.mean_segments_per_camera_ray()
         );
         films.push(converged.film);
