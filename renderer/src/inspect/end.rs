@@ -48,8 +48,6 @@ pub enum RayEnd {
     },
     /// It slipped through a mesh.
     Lost,
-    /// It was followed, but the record was full: what came of it is in the totals only.
-    Unrecorded,
 }
 
 /// What cuts off a ray that is not weak.

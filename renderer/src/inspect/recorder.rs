@@ -148,6 +148,9 @@ impl<'a> Recorder<'a> {
             self.children.push(0..0);
         } else {
             self.unrecorded_rays += 1;
+            if let Some(parent) = self.rays.get_mut(parent as usize) {
+                parent.unrecorded_children += 1;
+            }
         }
         if fate == Fate::Kept {
             self.waiting.push(Waiting { ray: *ray, id });
@@ -157,7 +160,8 @@ impl<'a> Recorder<'a> {
     /// What is known of a ray before it is followed.
     fn begin(&mut self, id: u32, parent: u32, kind: RayKind, ray: &Ray, fate: Fate) -> RecordedRay {
         let end = match fate {
-            Fate::Kept => RayEnd::Unrecorded,
+            // Until it is followed.
+            Fate::Kept => RayEnd::Lost,
             Fate::TooWeak => RayEnd::Pruned,
             Fate::TooDeep => RayEnd::CutOff { limit: Limit::Depth },
             Fate::TooMany => RayEnd::CutOff { limit: Limit::Stack },
@@ -185,6 +189,7 @@ impl<'a> Recorder<'a> {
             energy_at_end,
             energy_absorbed,
             radiance_per_bin: Vec::new(),
+            unrecorded_children: 0,
         }
     }
 

@@ -70,6 +70,9 @@ pub struct RecordedRay {
     pub energy_absorbed: f32,
     /// What it added to the pixel's radiance, bin by bin; empty where it added nothing.
     pub radiance_per_bin: Vec<f64>,
+    /// Rays that came of it at its end but that the record had no place for: they, and all that
+    /// came of them, are in the totals only.
+    pub unrecorded_children: u32,
 }
 
 impl RecordedRay {
