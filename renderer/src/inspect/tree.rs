@@ -8,6 +8,8 @@ use super::names::{Name, Surface};
 use super::recorder;
 use super::request::RayTreeRequest;
 use crate::error::RendererError;
+use crate::packed::PackedScene;
+use crate::spectrum::Bins;
 use crate::statistics::Ledger;
 
 /// How a ray came to be.
@@ -123,7 +125,22 @@ impl RayTree {
     /// # Errors
     /// The pixel is outside of the picture, or the scene can't be traced.
     pub fn trace(request: &RayTreeRequest, max_rays: usize) -> Result<Self, RendererError> {
-        recorder::trace(request, max_rays.max(1))
+        let packed = PackedScene::new(&request.scene, Bins::new(request.trace.bins))?;
+        Self::trace_packed(request, &packed, max_rays, &|| false)
+    }
+
+    /// [`trace`](Self::trace) in a scene that is packed already: the request's, with its bins.
+    /// `is_cancelled` is asked before each ray.
+    ///
+    /// # Errors
+    /// As for `trace`; [`RendererError::Cancelled`] as soon as `is_cancelled` says so.
+    pub fn trace_packed(
+        request: &RayTreeRequest,
+        packed: &PackedScene,
+        max_rays: usize,
+        is_cancelled: &dyn Fn() -> bool,
+    ) -> Result<Self, RendererError> {
+        recorder::trace(request, packed, max_rays.max(1), is_cancelled)
     }
 
     /// The ray and those that it came of, up to the camera ray.
