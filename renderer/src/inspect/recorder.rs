@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::end::{Limit, RayEnd, meet, read_end};
+use super::end::{Limit, RayEnd, read_end};
 use super::names::Names;
 use super::request::RayTreeRequest;
 use super::tree::{RayKind, RayTree, RecordedRay};
@@ -10,7 +10,7 @@ use crate::error::RendererError;
 use crate::kernel::camera::{camera_ray, pixel_seed};
 use crate::kernel::ray::Ray;
 use crate::kernel::spread::spread_angle;
-use crate::kernel::trace::follow;
+use crate::kernel::trace::{follow, next_surface};
 use crate::kernel::walk::{Fate, RayStack, Tally, TraceRules, Walk, fate_of};
 use crate::packed::{NONE, PackedScene};
 use crate::spectrum::LAMBDA_MIN_NM;
@@ -217,7 +217,7 @@ impl<'a> Recorder<'a> {
 
     /// What is known of a ray after it was followed.
     fn finish(&mut self, id: u32, ray: &Ray, sight: &Sight, radiance_per_bin: Vec<f64>) {
-        let (met, hit) = meet(self.scene, ray);
+        let (met, hit) = next_surface(self.scene, ray);
         let mut arrived = met;
         if hit.instance != NONE {
             arrived.origin += met.direction * hit.distance;
