@@ -3,9 +3,13 @@
 #[path = "parity/cases.rs"]
 mod cases;
 
+use std::cell::Cell;
 use std::sync::Arc;
 
-use brilliance_renderer::inspect::{LightKind, Limit, RayEnd, RayKind, RayTree, RayTreeRequest};
+use brilliance_renderer::error::RendererError;
+use brilliance_renderer::inspect::{
+    LightKind, Limit, RayEnd, RayKind, RayTree, RayTreeRequest, RecordedRay,
+};
 use brilliance_renderer::kernel::absorption::{bin_overlap, bin_range};
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::statistics::Ledger;
@@ -331,9 +335,42 @@ fn a_full_record_says_so_and_keeps_the_totals() {
     assert_eq!(few.rays.len() as u64 + few.unrecorded_rays, whole.rays.len() as u64);
     assert_eq!(few.radiance_per_bin, whole.radiance_per_bin);
     assert_eq!((few.ledger, few.segments), (whole.ledger, whole.segments));
-    for ray in few.rays.iter().filter(|ray| ray.end == RayEnd::Unrecorded) {
-        assert!(few.rays.iter().all(|child| child.parent != Some(ray.id)));
+    // Each ray has all that came of it, here or by number.
+    let children = |tree: &RayTree, ray: u32| {
+        tree.rays.iter().filter(|child| child.parent == Some(ray)).count() as u32
+    };
+    let mut cut = 0;
+    for ray in &few.rays {
+        let is_same = |other: &&RecordedRay| {
+            (other.origin_mm, other.direction, other.lambda_low_nm, other.lambda_high_nm)
+                == (ray.origin_mm, ray.direction, ray.lambda_low_nm, ray.lambda_high_nm)
+                && other.significance == ray.significance
+        };
+        let same = whole.rays.iter().find(is_same).expect("the whole tree has it");
+        assert_eq!(ray.end, same.end);
+        let recorded = children(&few, ray.id);
+        assert_eq!(recorded + ray.unrecorded_children, children(&whole, same.id), "{ray:?}");
+        cut += u32::from(ray.unrecorded_children > 0);
     }
+    assert!(cut > 0, "some rays have children that had no place");
+    assert!(whole.rays.iter().all(|ray| ray.unrecorded_children == 0));
+}
+
+#[test]
+fn a_tree_is_left_undone_where_nobody_wants_it_any_more() {
+    let case = cases::diamond();
+    let request = request(&case, [22, 25], 0);
+    let asked = Cell::new(0);
+    let trace = |last: u32| {
+        asked.set(0);
+        let is_cancelled = || asked.replace(asked.get() + 1) == last;
+        RayTree::trace_packed(&request, &case.packed(), RayTree::MAX_RAYS, &is_cancelled)
+    };
+    let whole = RayTree::trace(&request, RayTree::MAX_RAYS).expect("it is traced");
+    assert_eq!(trace(u32::MAX).expect("it is traced"), whole);
+    assert!(asked.get() > 100, "asked before each ray");
+    assert!(matches!(trace(20), Err(RendererError::Cancelled)));
+    assert_eq!(asked.get(), 21, "and not followed further");
 }
 
 #[test]

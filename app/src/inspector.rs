@@ -79,10 +79,12 @@ impl Inspector {
         self.rays.tree()
     }
 
-    /// Has the rays of what is picked followed, where that is shown and not done yet.
+    /// Has the rays of what is picked followed, where that is shown and not done yet; no others.
     pub fn follow_rays(&mut self, scene: &Arc<Scene>, trace: &TraceSettings, waker: &Waker) {
         if let Some(pick) = self.pick.filter(|_| self.shown && self.tab == Tab::Rays) {
             self.rays.update(&pick, scene, trace, waker);
+        } else {
+            self.rays.rest();
         }
     }
 

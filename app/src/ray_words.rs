@@ -27,7 +27,6 @@ pub(crate) fn end(end: &RayEnd) -> String {
         RayEnd::CutOff { limit: Limit::Depth } => "cut off: too deep".to_owned(),
         RayEnd::CutOff { limit: Limit::Stack } => "cut off: too many rays wait".to_owned(),
         RayEnd::Lost => "lost through a mesh".to_owned(),
-        RayEnd::Unrecorded => "not recorded further".to_owned(),
     }
 }
 

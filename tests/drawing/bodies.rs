@@ -39,6 +39,27 @@ pub(crate) fn tiers(sides: u32, tiers: &[(f64, f64)], table: f64) -> Object {
     object(Shape::Polyhedron(planes))
 }
 
+/// A torus of `around` × `across` flat facets, each of four corners: that of a wedge of a ring.
+pub(crate) fn torus(around: u32, across: u32) -> Object {
+    let turn =
+        |k: u32, count: u32| (std::f32::consts::TAU * (k % count) as f32 / count as f32).sin_cos();
+    let corner = |i: u32, j: u32| {
+        let ((sin, cos), (up, out)) = (turn(i, around), turn(j, across));
+        let radius = 3.0 + 1.2 * out;
+        Vec3::new(radius * cos, radius * sin, 1.2 * up)
+    };
+    let at = |i: u32, j: u32| (i % around) * across + j % across;
+    let places = (0..around).flat_map(|i| (0..across).map(move |j| (i, j)));
+    let positions = places.clone().map(|(i, j)| corner(i, j)).collect();
+    let triangles = places
+        .flat_map(|(i, j)| {
+            let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+            [[a, b, c], [a, c, d]]
+        })
+        .collect();
+    mesh(positions, triangles)
+}
+
 /// A step cut of three tiers above and three below a girdle.
 pub(crate) fn step_cut() -> Object {
     tiers(

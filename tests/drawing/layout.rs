@@ -2,7 +2,7 @@
 
 use brilliance_renderer::cuts::{RoundBrilliant, StandardProportions};
 use brilliance_renderer::drawing::{Rect, Sheet, facet_diagram};
-use brilliance_renderer::scene::Object;
+use brilliance_renderer::scene::{Object, Shape};
 use glam::DVec2;
 
 use crate::bodies::*;
@@ -96,11 +96,39 @@ fn hundreds_of_classes_and_long_names_can_be_read() {
     let many: Vec<(f64, f64)> =
         (1..60).map(|k| (f64::from(k) * 1.5, 3.0 - 0.000_1 * f64::from(k))).collect();
     let below: Vec<(f64, f64)> = many.iter().map(|(angle, distance)| (-angle, *distance)).collect();
-    let mut object = tiers(8, &[many, below].concat(), 2.9);
+    let mut object = tiers(4, &[many, below].concat(), 2.9);
     object.name = "A name that is so long that it can stand nowhere on a sheet of paper".repeat(3);
     let sheet = facet_diagram(&object).unwrap();
     assert_readable(&sheet, "many classes");
     assert!(sheet.words().any(|words| words.text.ends_with(" more")));
+}
+
+#[test]
+fn long_names_of_facets_can_be_read() {
+    let stones = [step_cut(), tiers(8, &[(30.0, 2.0), (90.0, 3.0), (-42.0, 2.6)], 1.2)];
+    for mut object in stones {
+        let Shape::Polyhedron(planes) = &mut object.shape else { panic!("a polyhedron") };
+        for plane in planes {
+            plane.name =
+                format!("A name as nobody would give to a facet, {}", plane.name.repeat(9));
+        }
+        let sheet = facet_diagram(&object).unwrap();
+        assert_readable(&sheet, "long names");
+        assert!(sheet.words().any(|words| words.text.contains("… ")), "one beside the side view");
+    }
+}
+
+/// The slowest bodies that may be drawn: each facet is tried for a label, behind all others.
+#[test]
+fn the_largest_hollow_body_can_be_read_and_larger_ones_are_refused() {
+    for (around, across) in [(32, 16), (128, 4), (16, 32)] {
+        assert_object_readable(&torus(around, across), &format!("torus {around} × {across}"));
+    }
+    let fault = facet_diagram(&torus(33, 16)).unwrap_err().to_string();
+    assert!(fault.contains("528 flat facets") && fault.contains("512"), "{fault}");
+    let below: Vec<(f64, f64)> = (10..80).map(|angle| (-f64::from(angle), 3.0)).collect();
+    let fault = facet_diagram(&tiers(8, &below, 1.0)).unwrap_err().to_string();
+    assert!(fault.contains("facets, and") && fault.contains("fewer facets"), "{fault}");
 }
 
 #[test]

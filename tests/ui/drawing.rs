@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use brilliance::app::Services;
+use brilliance::app::{App, Services};
 use brilliance::notice::NoticeKind;
 use brilliance_renderer::scene_file::Document;
 use eframe::egui::Key;
@@ -10,9 +10,9 @@ use egui_kittest::kittest::Queryable as _;
 
 use crate::window::*;
 
-fn texts(harness: &AppHarness) -> Vec<String> {
-    let sheet = harness.state().drawing().expect("a drawing");
-    sheet.words().map(|words| words.text.clone()).collect()
+/// Whether there is a drawing with this text.
+fn says(app: &App, text: &str) -> bool {
+    app.drawing().is_some_and(|sheet| sheet.words().any(|words| words.text == text))
 }
 
 #[test]
@@ -20,10 +20,10 @@ fn the_drawing_shows_the_stone_as_it_is_edited() {
     let mut harness = harness();
     assert!(harness.state().drawing().is_none());
     harness.key_press(Key::L);
-    harness.run_steps(3);
-    assert!(texts(&harness).contains(&"main 40.8°".to_owned()));
+    wait(&mut harness, "the drawing", |app| says(app, "main 40.8°"));
     set(&mut harness, "Pavilion angle", 42.0);
-    assert!(texts(&harness).contains(&"main 42°".to_owned()));
+    assert!(harness.state().drawing().is_some(), "the last stays while the next is made");
+    wait(&mut harness, "the next drawing", |app| says(app, "main 42°"));
     harness.key_press(Key::L);
     harness.run_steps(2);
     assert!(harness.state().drawing().is_none());
@@ -54,13 +54,14 @@ fn the_prism_diagram_follows_its_sliders() {
 fn a_stone_that_can_not_be_cut_says_so_in_its_place() {
     let mut harness = harness();
     harness.key_press(Key::L);
-    harness.run_steps(3);
+    wait(&mut harness, "the drawing", |app| app.drawing().is_some());
     set(&mut harness, "Table", 90.0);
     set(&mut harness, "Star length", 5.0);
-    assert!(harness.state().drawing().is_none());
+    wait(&mut harness, "the fault", |app| app.drawing().is_none());
+    harness.run_steps(2);
     harness.get_by_label("This can't be drawn");
     set(&mut harness, "Star length", 95.0);
-    assert!(harness.state().drawing().is_some());
+    wait(&mut harness, "the drawing", |app| app.drawing().is_some());
 }
 
 #[test]
@@ -71,7 +72,8 @@ fn the_drawing_is_saved_in_both_formats() {
     let services = Services { ask_path: Arc::new(move |_| Some(answer.clone())), ..services() };
     let mut harness = harness_with(Document::default(), None, services);
     harness.key_press(Key::L);
-    harness.run_steps(3);
+    wait(&mut harness, "the drawing", |app| app.drawing().is_some());
+    harness.run_steps(2);
     for (button, file) in [("Save SVG…", "figure.svg"), ("Save PNG…", "figure.png")] {
         harness.get_by_label(button).click();
         let path = folder.path().join(file);

@@ -27,7 +27,7 @@ impl App {
         }
         let object = self.editor.document.scene.objects.get(self.panel.object());
         let of_prism = self.prism.show(ctx);
-        if let Some(order) = self.facets.show(ctx, object).or(of_prism) {
+        if let Some(order) = self.facets.show(ctx, object, self.live.waker()).or(of_prism) {
             self.ask_save_sheet(order);
         }
         if let Some(page) = self.help

@@ -1,30 +1,24 @@
 //! The window with the line drawing of the stone that the panel edits.
 
-use brilliance_renderer::drawing::{Sheet, facet_diagram};
-use brilliance_renderer::scene::{Object, Shape};
+use brilliance_renderer::drawing::Sheet;
+use brilliance_renderer::scene::Object;
 use eframe::egui::{Context, RichText, Ui, Window, vec2};
 
+use super::draughting::Draughting;
 use super::sheet_files::SaveSheet;
 use super::sheet_view::SheetView;
 use crate::theme;
+use crate::waker::Waker;
 
 /// Room under the drawing for the buttons, in points.
 const FOOTER: f32 = 36.0;
 
-/// The window, its drawing and what the drawing was made from.
+/// The window and its drawing.
 #[derive(Default)]
 pub struct FacetWindow {
     open: bool,
     view: SheetView,
-    drawn: Option<Drawn>,
-}
-
-/// A drawing and all that it depends on.
-struct Drawn {
-    name: String,
-    shape: Shape,
-    scale: f32,
-    sheet: Result<Sheet, String>,
+    draughting: Draughting,
 }
 
 impl FacetWindow {
@@ -40,15 +34,20 @@ impl FacetWindow {
 
     /// The drawing that is shown.
     pub fn sheet(&self) -> Option<&Sheet> {
-        self.drawn.as_ref().filter(|_| self.open).and_then(|drawn| drawn.sheet.as_ref().ok())
+        self.draughting.newest().filter(|_| self.open).and_then(|sheet| sheet.as_ref().ok())
     }
 
-    /// Shows the drawing of `object` as it is now.
-    pub fn show(&mut self, ctx: &Context, object: Option<&Object>) -> Option<SaveSheet> {
+    /// Shows the drawing of `object` as it is now, or the one before it until that is made.
+    pub fn show(
+        &mut self,
+        ctx: &Context,
+        object: Option<&Object>,
+        waker: &Waker,
+    ) -> Option<SaveSheet> {
         if !self.open {
             return None;
         }
-        self.update(object);
+        self.draughting.update(object, waker);
         let mut open = true;
         let shown = Window::new("Line drawing")
             .open(&mut open)
@@ -61,22 +60,8 @@ impl FacetWindow {
         shown.and_then(|window| window.inner).flatten()
     }
 
-    /// Draws anew if what is drawn has changed.
-    fn update(&mut self, object: Option<&Object>) {
-        let Some(object) = object else {
-            self.drawn = None;
-            return;
-        };
-        if self.drawn.as_ref().is_some_and(|drawn| drawn.shows(object)) {
-            return;
-        }
-        let sheet = facet_diagram(object).map_err(|fault| fault.to_string());
-        let (name, shape) = (object.name.clone(), object.shape.clone());
-        self.drawn = Some(Drawn { name, shape, scale: object.transform.scale, sheet });
-    }
-
     fn contents_ui(&mut self, ui: &mut Ui) -> Option<SaveSheet> {
-        match self.drawn.as_ref().map(|drawn| &drawn.sheet) {
+        match self.draughting.newest() {
             Some(Ok(sheet)) => {
                 let size = ui.available_size() - vec2(0.0, FOOTER);
                 self.view.show(ui, sheet, size);
@@ -94,18 +79,17 @@ impl FacetWindow {
                 ui.label(fault);
                 None
             }
+            None if self.draughting.is_running() => {
+                ui.horizontal(|ui| {
+                    ui.spinner();
+                    ui.label("Drawing\u{2026}");
+                });
+                None
+            }
             None => {
                 ui.label("The scene has no object to draw.");
                 None
             }
         }
-    }
-}
-
-impl Drawn {
-    fn shows(&self, object: &Object) -> bool {
-        self.name == object.name
-            && self.scale == object.transform.scale
-            && self.shape == object.shape
     }
 }

@@ -1,5 +1,6 @@
 //! Line drawings in the window: shown live, written as SVG and PNG.
 
+mod draughting;
 mod facet_window;
 mod paint;
 mod prism_window;

@@ -112,6 +112,11 @@ impl Rays {
         }
     }
 
+    /// Leaves a tree undone that is not shown any more.
+    pub(super) fn rest(&self) {
+        self.recording.cancel();
+    }
+
     /// Forgets what was recorded.
     pub(super) fn clear(&mut self) {
         self.recording.clear();

@@ -54,9 +54,9 @@ pub struct BodyEdge {
 
 impl FacetedBody {
     /// Most facets a line drawing may have: more make no drawing that one could read.
-    pub const MAX_FACETS: usize = Solid::MAX_HALF_SPACES;
+    pub const MAX_FACETS: usize = 512;
     /// Most triangles that a mesh to be drawn may have.
-    pub const MAX_TRIANGLES: usize = 1 << 15;
+    pub const MAX_TRIANGLES: usize = 4096;
 
     /// The body of `object` at its true size, but unturned and unmoved.
     ///
@@ -79,7 +79,16 @@ impl FacetedBody {
         let solid = half_spaces
             .and_then(|half_spaces| Solid::from_half_spaces(&half_spaces))
             .map_err(|fault| invalid(fault.to_string()))?;
-        Ok(Self::from_solid(&solid).named(object))
+        let body = Self::from_solid(&solid);
+        let facets = body.facets.iter().filter(|facet| !facet.rim.is_empty()).count();
+        if facets > Self::MAX_FACETS {
+            return Err(invalid(format!(
+                "it has {facets} facets, and a line drawing may have {}, since more can't be read; \
+                 draw a stone of fewer facets",
+                Self::MAX_FACETS
+            )));
+        }
+        Ok(body.named(object))
     }
 
     fn from_solid(solid: &Solid) -> Self {

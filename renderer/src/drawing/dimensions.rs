@@ -8,6 +8,7 @@ use super::font;
 use super::measures::BodyMeasures;
 use super::rect::Rect;
 use super::sheet::{Anchor, Ink, Mark, Sheet, Words};
+use super::title_block::shortened;
 
 /// Size of the letters, in mm.
 const EM_MM: f64 = 2.7;
@@ -19,6 +20,8 @@ const NEAR_MM: f64 = 6.0;
 /// Length of the level line that a slope is measured from, and radius of the arc, in mm.
 const LEVEL_MM: f64 = 14.0;
 const ARC_MM: f64 = 9.0;
+/// Least distance of a text from the rim of the paper, in mm.
+const RIM_MM: f64 = 6.0;
 /// How far a short dimension line reaches beyond its ends, in mm.
 const ARROW_TAIL_MM: f64 = 3.2;
 /// Two heights closer than this have no dimension line between them, in mm of paper.
@@ -162,14 +165,13 @@ fn slope(sheet: &mut Sheet, figure: &Figure, classes: &[FacetClass], from_top: b
         })
         .min_by(|(_, a), (_, b)| a.x.total_cmp(&b.x))?;
     let class = classes.iter().find(|class| class.facets.contains(&facet))?;
-    let text = format!("{} {}", class.name, class.angle_text());
-    angle(sheet, corner, other - corner, &text);
+    angle(sheet, corner, other - corner, class);
     Some(())
 }
 
 /// The angle between the level through `corner` towards the left and the way to `along`, if there
 /// is room to say what it is.
-fn angle(sheet: &mut Sheet, corner: DVec2, along: DVec2, text: &str) {
+fn angle(sheet: &mut Sheet, corner: DVec2, along: DVec2, class: &FacetClass) {
     const PIECES: u32 = 12;
     let first = sheet.marks.len();
     let level = corner - DVec2::new(LEVEL_MM, 0.0);
@@ -184,12 +186,15 @@ fn angle(sheet: &mut Sheet, corner: DVec2, along: DVec2, text: &str) {
     let middle = point(PIECES / 2);
     let half_height = 0.5 * font::CAP_HEIGHT * EM_MM;
     let x = corner.x - ARC_MM - 1.6;
+    let value = format!(" {}", class.angle_text());
+    let name = shortened(&class.name, EM_MM, x - RIM_MM - font::width(&value, EM_MM));
+    let text = name + &value;
     // Inside the angle, or on the other side of its level line.
     let beyond = corner.y - along.y.signum() * (2.0 + half_height);
     let near = corner.y + along.y.signum() * (1.2 + half_height);
     let inside = if along.y > 0.0 { middle.y.max(near) } else { middle.y.min(near) };
     for y in [inside, beyond] {
-        let (text, at) = (text.to_owned(), DVec2::new(x, y + half_height));
+        let (text, at) = (text.clone(), DVec2::new(x, y + half_height));
         let words = Words { text, at, anchor: Anchor::End, em_mm: EM_MM, ink: Ink::Main };
         if sheet.is_blank(&words.bounds().grown(0.4)) {
             sheet.marks.push(Mark::Words(words));

@@ -149,7 +149,7 @@ fn facet_rows(classes: &[FacetClass]) -> Vec<[String; 2]> {
 }
 
 /// The beginning of `text` that has room, with an ellipsis where something is left out.
-fn shortened(text: &str, em_mm: f64, width_mm: f64) -> String {
+pub(super) fn shortened(text: &str, em_mm: f64, width_mm: f64) -> String {
     let fits = |text: &str| super::font::width(text, em_mm) <= width_mm;
     if fits(text) {
         return text.to_owned();

@@ -7,7 +7,6 @@ use crate::kernel::fork::{interface_at, medium_beyond};
 use crate::kernel::interface::{
     cos_refracted_squared, fresnel, index_of_refraction, relative_index,
 };
-use crate::kernel::intersect::{find_intersection, nudge_inwards};
 use crate::kernel::lights::{Cone, disc_cone, is_far_off, overlap_amount, overlap_hemisphere};
 use crate::kernel::ray::{Hit, Ray};
 use crate::kernel::trace::{is_lost, meets_opaque};
@@ -48,8 +47,6 @@ pub enum RayEnd {
     },
     /// It slipped through a mesh.
     Lost,
-    /// It was followed, but the record was full: what came of it is in the totals only.
-    Unrecorded,
 }
 
 /// What cuts off a ray that is not weak.
@@ -108,17 +105,6 @@ pub struct SeenLight {
     pub name: Name,
     /// The part of the ray's fan, in 0..=1, that the light fills.
     pub overlap: f32,
-}
-
-/// The next surface along a ray, as the kernel's `follow` finds it, and the ray as it was when it
-/// found it.
-pub(super) fn meet(scene: &PackedScene, ray: &Ray) -> (Ray, Hit) {
-    let hit = find_intersection(scene, ray);
-    if !is_lost(ray, &hit) {
-        return (*ray, hit);
-    }
-    let nudged = nudge_inwards(scene, ray);
-    (nudged, find_intersection(scene, &nudged))
 }
 
 /// What a ray came to that ends at `hit`; `children` are the rays that it became.

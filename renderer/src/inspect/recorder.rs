@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::end::{Limit, RayEnd, meet, read_end};
+use super::end::{Limit, RayEnd, read_end};
 use super::names::Names;
 use super::request::RayTreeRequest;
 use super::tree::{RayKind, RayTree, RecordedRay};
@@ -10,27 +10,32 @@ use crate::error::RendererError;
 use crate::kernel::camera::{camera_ray, pixel_seed};
 use crate::kernel::ray::Ray;
 use crate::kernel::spread::spread_angle;
-use crate::kernel::trace::follow;
+use crate::kernel::trace::{follow, next_surface};
 use crate::kernel::walk::{Fate, RayStack, Tally, TraceRules, Walk, fate_of};
 use crate::packed::{NONE, PackedScene};
-use crate::spectrum::{Bins, LAMBDA_MIN_NM};
+use crate::spectrum::LAMBDA_MIN_NM;
 use crate::statistics::Ledger;
 use crate::tracer::{View, rules};
 
-/// Traces the tree that `request` asks for.
-pub(super) fn trace(request: &RayTreeRequest, max_rays: usize) -> Result<RayTree, RendererError> {
+/// Traces the tree that `request` asks for in its scene, as it is packed.
+pub(super) fn trace(
+    request: &RayTreeRequest,
+    packed: &PackedScene,
+    max_rays: usize,
+    is_cancelled: &dyn Fn() -> bool,
+) -> Result<RayTree, RendererError> {
     request.check()?;
     let RayTreeRequest { scene, camera, size, pixel: [x, y], pass_index, trace } = request;
-    let bins = Bins::new(trace.bins);
-    let packed = PackedScene::new(scene, bins)?;
+    let bins = packed.bins;
     let view = View::new(camera, *size);
     let rules = rules(&view, trace);
     let mut stack = RayStack::new();
     let mut radiance = vec![0.0; bins.count()];
     let seed = pixel_seed(*x, *y);
-    let mut walk = Walk::new(&packed, &rules, *pass_index, seed, &mut stack, &mut radiance);
-    let mut recorder = Recorder::new(&packed, &rules, Names::new(scene)?, max_rays);
-    recorder.record(&mut walk, &camera_ray(&view.frame, *size, *x, *y, *pass_index));
+    let mut walk = Walk::new(packed, &rules, *pass_index, seed, &mut stack, &mut radiance);
+    let mut recorder = Recorder::new(packed, &rules, Names::new(scene)?, max_rays);
+    let camera_ray = camera_ray(&view.frame, *size, *x, *y, *pass_index);
+    recorder.record(&mut walk, &camera_ray, is_cancelled)?;
     let tally = walk.tally;
     let rays = depth_first(recorder.rays, &recorder.children);
     Ok(RayTree {
@@ -96,10 +101,18 @@ impl<'a> Recorder<'a> {
     }
 
     /// Makes the walk of the camera ray, as [`trace`](crate::kernel::trace::trace) does.
-    fn record(&mut self, walk: &mut Walk<'_>, camera_ray: &Ray) {
+    fn record(
+        &mut self,
+        walk: &mut Walk<'_>,
+        camera_ray: &Ray,
+        is_cancelled: &dyn Fn() -> bool,
+    ) -> Result<(), RendererError> {
         self.receive(NONE, RayKind::Camera, camera_ray);
         walk.send(camera_ray);
         while let Some(Waiting { ray, id }) = self.waiting.pop() {
+            if is_cancelled() {
+                return Err(RendererError::Cancelled);
+            }
             let sight = self.look(&ray);
             let before = walk.radiance.to_vec();
             follow(walk);
@@ -114,6 +127,7 @@ impl<'a> Recorder<'a> {
                 self.children[id as usize] = first..self.rays.len();
             }
         }
+        Ok(())
     }
 
     /// Follows the ray by rules that keep all that comes of it.
@@ -148,6 +162,9 @@ impl<'a> Recorder<'a> {
             self.children.push(0..0);
         } else {
             self.unrecorded_rays += 1;
+            if let Some(parent) = self.rays.get_mut(parent as usize) {
+                parent.unrecorded_children += 1;
+            }
         }
         if fate == Fate::Kept {
             self.waiting.push(Waiting { ray: *ray, id });
@@ -157,7 +174,8 @@ impl<'a> Recorder<'a> {
     /// What is known of a ray before it is followed.
     fn begin(&mut self, id: u32, parent: u32, kind: RayKind, ray: &Ray, fate: Fate) -> RecordedRay {
         let end = match fate {
-            Fate::Kept => RayEnd::Unrecorded,
+            // Until it is followed.
+            Fate::Kept => RayEnd::Lost,
             Fate::TooWeak => RayEnd::Pruned,
             Fate::TooDeep => RayEnd::CutOff { limit: Limit::Depth },
             Fate::TooMany => RayEnd::CutOff { limit: Limit::Stack },
@@ -185,6 +203,7 @@ impl<'a> Recorder<'a> {
             energy_at_end,
             energy_absorbed,
             radiance_per_bin: Vec::new(),
+            unrecorded_children: 0,
         }
     }
 
@@ -198,7 +217,7 @@ impl<'a> Recorder<'a> {
 
     /// What is known of a ray after it was followed.
     fn finish(&mut self, id: u32, ray: &Ray, sight: &Sight, radiance_per_bin: Vec<f64>) {
-        let (met, hit) = meet(self.scene, ray);
+        let (met, hit) = next_surface(self.scene, ray);
         let mut arrived = met;
         if hit.instance != NONE {
             arrived.origin += met.direction * hit.distance;

@@ -8,6 +8,8 @@ use super::names::{Name, Surface};
 use super::recorder;
 use super::request::RayTreeRequest;
 use crate::error::RendererError;
+use crate::packed::PackedScene;
+use crate::spectrum::Bins;
 use crate::statistics::Ledger;
 
 /// How a ray came to be.
@@ -70,6 +72,9 @@ pub struct RecordedRay {
     pub energy_absorbed: f32,
     /// What it added to the pixel's radiance, bin by bin; empty where it added nothing.
     pub radiance_per_bin: Vec<f64>,
+    /// Rays that came of it at its end but that the record had no place for: they, and all that
+    /// came of them, are in the totals only.
+    pub unrecorded_children: u32,
 }
 
 impl RecordedRay {
@@ -120,7 +125,22 @@ impl RayTree {
     /// # Errors
     /// The pixel is outside of the picture, or the scene can't be traced.
     pub fn trace(request: &RayTreeRequest, max_rays: usize) -> Result<Self, RendererError> {
-        recorder::trace(request, max_rays.max(1))
+        let packed = PackedScene::new(&request.scene, Bins::new(request.trace.bins))?;
+        Self::trace_packed(request, &packed, max_rays, &|| false)
+    }
+
+    /// [`trace`](Self::trace) in a scene that is packed already: the request's, with its bins.
+    /// `is_cancelled` is asked before each ray.
+    ///
+    /// # Errors
+    /// As for `trace`; [`RendererError::Cancelled`] as soon as `is_cancelled` says so.
+    pub fn trace_packed(
+        request: &RayTreeRequest,
+        packed: &PackedScene,
+        max_rays: usize,
+        is_cancelled: &dyn Fn() -> bool,
+    ) -> Result<Self, RendererError> {
+        recorder::trace(request, packed, max_rays.max(1), is_cancelled)
     }
 
     /// The ray and those that it came of, up to the camera ray.

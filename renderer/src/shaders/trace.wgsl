@@ -1,21 +1,19 @@
 // Following rays through the tree of a camera ray's descendants (the paper's `ray_solid`).
 
+// A surface and the ray that meets it.
+struct NextSurface {
+    ray: Ray,
+    hit: Hit,
+}
+
 // Takes the next ray that waits to the next surface, or to the lights.
 fn follow() {
     var ray = pop();
     walk.tally.segments += 1u;
     walk.tally.depth = max(walk.tally.depth, ray.depth);
-    var hit = MISS;
-    for (var attempt = 0u; attempt < 2u; attempt++) {
-        if attempt > 0u {
-            // A mesh seems not to let the ray out: once more, from slightly further inside.
-            ray = nudge_inwards(ray);
-        }
-        hit = find_intersection(ray);
-        if !is_lost(ray, hit) {
-            break;
-        }
-    }
+    let next = next_surface(ray);
+    ray = next.ray;
+    let hit = next.hit;
     if hit.instance != NONE {
         ray.origin += ray.direction * hit.distance;
         if runs_in_absorber(ray) {
@@ -35,6 +33,22 @@ fn follow() {
     } else {
         walk.tally.returned += energy;
     }
+}
+
+// The next surface along a ray, and the ray as it meets it. A ray that a mesh seems not to let out
+// tries once more from slightly further inside.
+fn next_surface(ray: Ray) -> NextSurface {
+    var next = NextSurface(ray, MISS);
+    for (var attempt = 0u; attempt < 2u; attempt++) {
+        if attempt > 0u {
+            next.ray = nudge_inwards(next.ray);
+        }
+        next.hit = find_intersection(next.ray);
+        if !is_lost(next.ray, next.hit) {
+            break;
+        }
+    }
+    return next;
 }
 
 // Whether the ray is inside of a body that it does not meet from there.

@@ -2,7 +2,9 @@
 
 use brilliance_renderer::kernel::intersect::{find_intersection, meet_instance};
 use brilliance_renderer::kernel::ray::{FAR, Hit, Ray};
-use brilliance_renderer::kernel::trace::{follow, is_lost, meets_opaque, runs_in_absorber};
+use brilliance_renderer::kernel::trace::{
+    follow, is_lost, meets_opaque, next_surface, runs_in_absorber,
+};
 use brilliance_renderer::packed::{MESH, NONE};
 
 use crate::probe::{Case, Dice, EXACT, Probe, Table, Tolerance, World};
@@ -34,6 +36,23 @@ pub(super) fn table() -> Table {
                 },
                 cases: rays,
                 // Critical angles, edges of lights, shadows and facets: where rounding decides.
+                tolerance: Tolerance::relative(1e-4).or(1e-4).but(0.01),
+            },
+            Probe {
+                name: "next_surface",
+                wgsl: "let next = next_surface(take_ray());
+    put_ray(next.ray);
+    put_hit(next.hit);",
+                rust: |world, take, put| {
+                    let (ray, hit) = next_surface(&world.scene, &take.ray());
+                    put.ray(&ray);
+                    put.hit(&hit);
+                },
+                cases: |world| {
+                    let rays = world.rays(600).into_iter().chain(astray(world));
+                    rays.map(|ray| Case::new().ray(&ray)).collect()
+                },
+                // Edges of facets, where rounding decides.
                 tolerance: Tolerance::relative(1e-4).or(1e-4).but(0.01),
             },
             Probe {

@@ -79,5 +79,8 @@ fn write_ray(out: &mut impl Write, ray: &RecordedRay) -> io::Result<()> {
     if !ray.radiance_per_bin.is_empty() {
         write!(out, ", adds {:.3e}", ray.mean_radiance())?;
     }
+    if ray.unrecorded_children > 0 {
+        write!(out, ", {} rays of it are not listed", ray.unrecorded_children)?;
+    }
     writeln!(out)
 }

@@ -69,5 +69,8 @@ fn figures_ui(ui: &mut Ui, ray: &RecordedRay) {
             row("Energy", ray_words::percent(ray.energy_at_end));
             row("Adds", number(ray.mean_radiance() as f32));
         }
+        if ray.unrecorded_children > 0 {
+            row("Not listed", format!("{} rays that came of it", ray.unrecorded_children));
+        }
     });
 }

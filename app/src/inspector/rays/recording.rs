@@ -1,11 +1,15 @@
 //! The tree that is shown: recorded in the background, again whenever what it is of changes.
 
-use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, OnceLock};
+use std::time::{Duration, Instant};
 
 use brilliance_renderer::error::RendererError;
 use brilliance_renderer::inspect::{RayTree, RayTreeRequest};
+use brilliance_renderer::packed::PackedScene;
 use brilliance_renderer::scene::Scene;
 use brilliance_renderer::settings::TraceSettings;
+use brilliance_renderer::spectrum::Bins;
 
 use super::traced::Traced;
 use crate::inspector::Pick;
@@ -14,11 +18,41 @@ use crate::waker::Waker;
 
 type Outcome = Result<Traced, RendererError>;
 
+/// A tree of the same pixel is waited for so long after the scene or the settings have changed, so
+/// that some are seen while a hand drags.
+const PATIENCE: Duration = Duration::from_millis(500);
+
 /// A tree being recorded.
 #[derive(Debug)]
 struct Running {
     request: RayTreeRequest,
     task: Task<Outcome>,
+    started: Instant,
+    cancel: CancelOnDrop,
+}
+
+/// Tells the thread that nobody wants its tree any more.
+#[derive(Debug)]
+struct CancelOnDrop(Arc<AtomicBool>);
+
+impl CancelOnDrop {
+    fn cancel(&self) {
+        self.0.store(true, Ordering::Relaxed);
+    }
+}
+
+impl Drop for CancelOnDrop {
+    fn drop(&mut self) {
+        self.cancel();
+    }
+}
+
+/// The scene as it is traced, which its first tree packs.
+#[derive(Debug)]
+struct Packing {
+    scene: Arc<Scene>,
+    bins: Bins,
+    packed: Arc<OnceLock<PackedScene>>,
 }
 
 /// The newest tree there is, and the one that is on its way.
@@ -29,6 +63,7 @@ pub(super) struct Recording {
     request: Option<RayTreeRequest>,
     tree: Option<Traced>,
     fault: Option<String>,
+    packing: Option<Packing>,
 }
 
 impl Recording {
@@ -47,9 +82,16 @@ impl Recording {
         self.running.is_some()
     }
 
-    /// Forgets the tree; one that is on its way will not be shown.
+    /// Forgets the tree, and has the one that is on its way left undone.
     pub(super) fn clear(&mut self) {
         *self = Self::default();
+    }
+
+    /// Has the tree that is on its way left undone.
+    pub(super) fn cancel(&self) {
+        if let Some(running) = &self.running {
+            running.cancel.cancel();
+        }
     }
 
     /// Takes over a tree that has been recorded, and has another recorded where what is asked for is
@@ -62,13 +104,31 @@ impl Recording {
         waker: &Waker,
     ) -> bool {
         let is_new = self.poll(pick);
-        let is_shown = |request: &RayTreeRequest| {
+        let is_wanted = |request: &RayTreeRequest| {
             is_of(request, pick) && request.trace == *trace && shows(request, scene)
         };
-        if self.running.is_none() && !self.request.as_ref().is_some_and(is_shown) {
+        if let Some(running) = &self.running {
+            let is_late = running.started.elapsed() > PATIENCE;
+            if !is_of(&running.request, pick) || is_late && !is_wanted(&running.request) {
+                running.cancel.cancel();
+            }
+        } else if !self.request.as_ref().is_some_and(is_wanted) {
             self.start(request(pick, scene, trace), waker);
         }
         is_new
+    }
+
+    /// Where the packed scene of `request` is, or will be.
+    fn packed(&mut self, request: &RayTreeRequest) -> Arc<OnceLock<PackedScene>> {
+        let bins = Bins::new(request.trace.bins);
+        let known = self
+            .packing
+            .as_ref()
+            .filter(|packing| packing.bins == bins && shows(request, &packing.scene));
+        let packed = known.map(|packing| Arc::clone(&packing.packed)).unwrap_or_default();
+        let scene = Arc::clone(&request.scene);
+        self.packing = Some(Packing { scene, bins, packed: Arc::clone(&packed) });
+        packed
     }
 
     fn poll(&mut self, pick: &Pick) -> bool {
@@ -78,6 +138,7 @@ impl Recording {
                 self.running = Some(running);
                 return false;
             }
+            TaskState::Finished(Err(RendererError::Cancelled)) => return false,
             TaskState::Finished(outcome) => outcome.map_err(|error| error.to_string()),
             TaskState::Broken => Err("the thread that follows the rays has failed".to_owned()),
         };
@@ -94,18 +155,38 @@ impl Recording {
     }
 
     fn start(&mut self, request: RayTreeRequest, waker: &Waker) {
-        let job = request.clone();
+        let (job, packed) = (request.clone(), self.packed(&request));
+        let cancel = CancelOnDrop(Arc::default());
+        let is_cancelled = Arc::clone(&cancel.0);
         let task = Task::spawn("trace rays", waker, move || {
-            RayTree::trace(&job, RayTree::MAX_RAYS).map(|tree| Traced::new(tree, &job.scene))
+            record(&job, &packed, &|| is_cancelled.load(Ordering::Relaxed))
         });
         match task {
-            Ok(task) => self.running = Some(Running { request, task }),
+            Ok(task) => {
+                self.running = Some(Running { request, task, started: Instant::now(), cancel });
+            }
             Err(error) => {
                 self.request = Some(request);
                 self.fault = Some(format!("the system gives no thread to follow rays on: {error}"));
             }
         }
     }
+}
+
+/// Records a tree, in the packed scene if there is one already.
+fn record(
+    request: &RayTreeRequest,
+    packed: &OnceLock<PackedScene>,
+    is_cancelled: &dyn Fn() -> bool,
+) -> Outcome {
+    let packed = if let Some(packed) = packed.get() {
+        packed
+    } else {
+        let new = PackedScene::new(&request.scene, Bins::new(request.trace.bins))?;
+        packed.get_or_init(|| new)
+    };
+    let tree = RayTree::trace_packed(request, packed, RayTree::MAX_RAYS, is_cancelled)?;
+    Ok(Traced::new(tree, &request.scene))
 }
 
 fn request(pick: &Pick, scene: &Arc<Scene>, trace: &TraceSettings) -> RayTreeRequest {

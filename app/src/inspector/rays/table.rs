@@ -162,9 +162,7 @@ fn title_color(ray: &RecordedRay) -> Color32 {
         RayEnd::Lights { .. } if sees_lamp(ray) => theme::WARNING,
         RayEnd::Lights { .. } | RayEnd::Backdrop => theme::ACCENT,
         RayEnd::Lost => theme::ERROR,
-        RayEnd::Dark { .. } | RayEnd::Pruned | RayEnd::CutOff { .. } | RayEnd::Unrecorded => {
-            theme::TEXT_WEAK
-        }
+        RayEnd::Dark { .. } | RayEnd::Pruned | RayEnd::CutOff { .. } => theme::TEXT_WEAK,
     }
 }
 
