@@ -267,6 +267,7 @@ impl App {
         }
         let painter = ui.painter_at(response.rect);
         self.inspector.overlay(&painter, response, self.viewport_size, &camera);
+        viewport::notes_ui(ui, response.rect, picture.as_ref(), &progress);
         if shown.inner.reset {
             self.run(Command::ResetCamera, ui.ctx());
         }
