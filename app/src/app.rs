@@ -258,11 +258,16 @@ impl App {
         self.viewport_size = shown.inner.size;
         self.viewport_focused = shown.inner.response.has_focus();
         let camera = self.orbit.camera();
-        if let Some(pixels) = shown.inner.picked {
+        let response = &shown.inner.response;
+        if let Some(pixels) = shown.inner.picked
+            // A click on a ray selects that.
+            && !(response.clicked() && self.inspector.select_pointed())
+        {
             self.inspector.set_pick(pixels, self.viewport_size, camera);
         }
-        let room = shown.inner.response.rect;
-        self.inspector.overlay(&ui.painter_at(room), room, self.viewport_size, &camera);
+        let painter = ui.painter_at(response.rect);
+        self.inspector.overlay(&painter, response, self.viewport_size, &camera);
+        viewport::notes_ui(ui, response.rect, picture.as_ref(), &progress);
         if shown.inner.reset {
             self.run(Command::ResetCamera, ui.ctx());
         }

@@ -17,7 +17,7 @@ const KEYS: [(&str, &str); 19] = [
     ("Drag", "turn the stone"),
     ("Middle drag, Shift + drag", "move it"),
     ("Wheel, pinch", "come nearer to what is under the cursor"),
-    ("Double click on the picture, R", "reset the camera"),
+    ("R, double click while the inspector is closed", "reset the camera"),
     ("1 or F", "face-up"),
     ("3 or S", "side"),
     ("7 or P", "pavilion-up"),
@@ -30,7 +30,7 @@ const KEYS: [(&str, &str); 19] = [
     ("Ctrl + O, Ctrl + S", "open, save"),
     ("Ctrl + E", "export a still"),
     ("Ctrl + Z, Ctrl + Shift + Z", "undo, redo"),
-    ("Escape", "close the export window, the drawing, then messages"),
+    ("Escape", "close the export window, the diagram, the drawing; deselect a ray; close messages"),
     ("F9", "show or hide the panel"),
     ("Ctrl + Q", "quit"),
 ];

@@ -12,7 +12,7 @@ use brilliance_renderer::inspect::RayTree;
 use brilliance_renderer::scene::Scene;
 use brilliance_renderer::session::Reading;
 use brilliance_renderer::settings::{DisplaySettings, TraceSettings};
-use eframe::egui::{Frame, Margin, Painter, Panel, Rect, RichText, ScrollArea, Ui};
+use eframe::egui::{Frame, Margin, Painter, Panel, Response, RichText, ScrollArea, Ui};
 
 use crate::theme;
 use crate::waker::Waker;
@@ -119,16 +119,32 @@ impl Inspector {
         );
     }
 
-    /// Draws over the picture in `room`, which shows `size` pixels of what `camera` sees.
-    pub fn overlay(&mut self, painter: &Painter, room: Rect, size: [u32; 2], camera: &Camera) {
+    /// Selects the ray under the pointer, where rays are drawn; false where none is there.
+    pub fn select_pointed(&mut self) -> bool {
+        self.shown && self.tab == Tab::Rays && self.rays.select_pointed()
+    }
+
+    /// Selects no ray; false where none was selected.
+    pub fn deselect(&mut self) -> bool {
+        self.shown && self.tab == Tab::Rays && self.rays.deselect()
+    }
+
+    /// Draws over the `picture`, which shows `size` pixels of what `camera` sees.
+    pub fn overlay(
+        &mut self,
+        painter: &Painter,
+        picture: &Response,
+        size: [u32; 2],
+        camera: &Camera,
+    ) {
         let Some(pick) = self.pick.filter(|_| self.shown) else { return };
         if self.tab == Tab::Rays {
-            self.rays.overlay(painter, room, size, camera);
+            self.rays.overlay(painter, picture, size, camera);
         }
         // The tree of a ray stays in the scene when the view turns; a spectrum is that of the place
         // in the picture.
         if self.tab == Tab::Spectrum || pick.camera == *camera {
-            pick.pixels.paint(painter, room, pick.size, size);
+            pick.pixels.paint(painter, picture.rect, pick.size, size);
         }
     }
 }

@@ -57,21 +57,26 @@ pub fn show(
     let painter = ui.painter_at(room);
     if let Some(picture) = picture {
         paint(&painter, picture, room, size, pixels_per_point);
-        if let Shown::Heat(map) = picture.shown {
-            legend::show(ui, room, map, progress.activity == Activity::Preview);
-        }
     } else {
         painter.rect_filled(room, 0.0, theme::BACKDROP);
         empty_ui(&painter, room, progress);
-    }
-    if let Some(error) = &progress.error {
-        banner_ui(ui, room, error);
     }
     let picked = if picks { picked(ui, &response, size) } else { None };
     if picked.is_none() {
         steer(ui, &response, orbit, bounds);
     }
     ViewportResponse { size, reset: response.double_clicked() && !picks, picked, response }
+}
+
+/// Says in `room` what the colours of the picture mean, and why there is no newer one: after all that
+/// is drawn over the picture.
+pub fn notes_ui(ui: &mut Ui, room: Rect, picture: Option<&Arc<Picture>>, progress: &Progress) {
+    if let Some(Shown::Heat(map)) = picture.map(|picture| picture.shown) {
+        legend::show(ui, room, map, progress.activity == Activity::Preview);
+    }
+    if let Some(error) = &progress.error {
+        banner_ui(ui, room, error);
+    }
 }
 
 /// The pixels that are clicked on, or being dragged over with the command key.

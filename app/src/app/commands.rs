@@ -38,7 +38,10 @@ impl App {
             Command::TogglePanel => self.panel_shown = !self.panel_shown,
             Command::ShowKeys => self.help = Some(Help::Keys),
             Command::Dismiss => {
-                let closed = self.export.close() || self.prism.close() || self.facets.close();
+                let closed = self.export.close()
+                    || self.prism.close()
+                    || self.facets.close()
+                    || self.inspector.deselect();
                 if !closed {
                     self.notices.dismiss();
                 }

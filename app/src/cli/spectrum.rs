@@ -81,8 +81,9 @@ pub(super) fn spectrum(arguments: &SpectrumArguments) -> anyhow::Result<()> {
     let printed = if arguments.json {
         serde_json::to_string(&SpectrumReport::new(&still, place, &spectrum, &document.display))?
     } else {
+        let passes = if still.passes == 1 { "pass" } else { "passes" };
         let origin =
-            format!("{} of {}x{}, {} passes", described(place), size[0], size[1], still.passes);
+            format!("{} of {}x{}, {} {passes}", described(place), size[0], size[1], still.passes);
         let column = Column { name: "radiance", bins: still.film.bins(), spectrum: &spectrum };
         spectrum_csv(&[origin], &[column])
     };

@@ -114,7 +114,8 @@ impl ExportWindow {
             TaskState::Finished(Ok(report)) => {
                 let StillReport { passes, tracing_seconds, tracer, warning } = report;
                 let cost = duration(tracing_seconds);
-                let mut text = format!("{path}\n{passes} passes, {cost} of tracing on {tracer}");
+                let unit = if passes == 1 { "pass" } else { "passes" };
+                let mut text = format!("{path}\n{passes} {unit}, {cost} of tracing on {tracer}");
                 if let Some(warning) = warning {
                     text.push_str("\nThe graphics device could not: ");
                     text.push_str(&warning);

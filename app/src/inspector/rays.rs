@@ -19,7 +19,7 @@ use brilliance_renderer::camera::Camera;
 use brilliance_renderer::inspect::RayTree;
 use brilliance_renderer::scene::Scene;
 use brilliance_renderer::settings::TraceSettings;
-use eframe::egui::{CollapsingHeader, Painter, Pos2, Rect, RichText, Ui};
+use eframe::egui::{CollapsingHeader, Painter, Pos2, Response, RichText, Ui};
 
 use super::Pick;
 use crate::row::{SliderRow, choice};
@@ -121,6 +121,7 @@ impl Rays {
     pub(super) fn clear(&mut self) {
         self.recording.clear();
         self.focus = Focus::default();
+        self.pressed_at = None;
     }
 
     /// The tree that is shown.
@@ -164,14 +165,27 @@ impl Rays {
         table.show(ui, &mut self.focus, self.bring.take());
     }
 
-    /// Draws the tree over the picture in `room`, which shows `size` pixels of what `camera` sees.
+    /// Selects the ray under the pointer; false where there is none.
+    pub(super) fn select_pointed(&mut self) -> bool {
+        let pointed = self.focus.in_picture;
+        self.focus.selected = pointed.or(self.focus.selected);
+        pointed.is_some()
+    }
+
+    /// Selects nothing; false where nothing was selected.
+    pub(super) fn deselect(&mut self) -> bool {
+        self.focus.selected.take().is_some()
+    }
+
+    /// Draws the tree over the `picture`, which shows `size` pixels of what `camera` sees.
     pub(super) fn overlay(
         &mut self,
         painter: &Painter,
-        room: Rect,
+        picture: &Response,
         size: [u32; 2],
         camera: &Camera,
     ) {
+        let room = picture.rect;
         let Some(traced) = self.recording.tree() else { return };
         let rays = rows(traced, &self.filter, Order::Strongest);
         let drawing = Drawing {
@@ -182,17 +196,20 @@ impl Rays {
             projection: Projection::new(camera, size, room),
             room,
         };
-        let (pointer, is_down) =
-            painter.ctx().input(|input| (input.pointer.hover_pos(), input.pointer.any_down()));
-        if is_down {
+        // Another window may lie between the pointer and the picture.
+        let pointer = picture.hover_pos();
+        let (is_pressed, is_down) =
+            painter.ctx().input(|input| (input.pointer.any_pressed(), input.pointer.any_down()));
+        if is_pressed || is_down {
+            // A quick click is pressed and released within one frame.
             self.pressed_at = pointer;
         }
-        let is_aimed = |at: &Pos2| {
-            let has_moved = self.pressed_at.is_none_or(|pressed| pressed.distance(*at) > STILL);
-            room.contains(*at) && has_moved && !is_down
-        };
-        let pointer = pointer.filter(is_aimed);
-        let in_picture = drawing.paint(painter, pointer);
+        let has_moved =
+            |at: &Pos2| self.pressed_at.is_none_or(|pressed| pressed.distance(*at) > STILL);
+        let pointed = drawing.paint(painter, pointer.filter(has_moved));
+        // Until the button is released, a click still means what was pointed at.
+        let clicks = (is_pressed || is_down) && !picture.dragged();
+        let in_picture = if clicks { self.focus.in_picture } else { pointed };
         if in_picture != self.focus.in_picture {
             self.focus.in_picture = in_picture;
             self.bring = in_picture.filter(|id| !self.focus.in_sight.contains(id));

@@ -136,6 +136,7 @@ impl Drawing<'_> {
     fn add_ray(&self, mesh: &mut Mesh, placed: &Placed, emphasis: Emphasis, is_detailed: bool) {
         let ray = self.traced.ray(placed.id);
         let strength = strength(ray.significance) * emphasis.strength();
+        let strength = strength * palette::share([ray.lambda_low_nm, ray.lambda_high_nm]);
         self.add_fan(mesh, ray, 0.55 * strength);
         let color = faded(self.traced.color(placed.id), strength);
         // Light that goes to no lamp is lost in the distance.
@@ -190,7 +191,8 @@ impl Drawing<'_> {
             let is_plain = path.is_empty() || path.contains(&placed.id);
             let emphasis = if is_plain { Emphasis::Plain } else { Emphasis::Aside };
             let strength = strength(ray.significance) * emphasis.strength();
-            let color = faded(self.traced.color(placed.id), strength);
+            let strength = strength * palette::share([ray.lambda_low_nm, ray.lambda_high_nm]);
+            let color = brush::light(faded(self.traced.color(placed.id), strength));
             painter.circle_filled(placed.line.ends[1], 2.6, color);
         }
         let Some(id) = path.first() else { return };

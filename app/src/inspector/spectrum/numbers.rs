@@ -82,8 +82,8 @@ impl Seen {
             ("u', v'", pair(color::uv_prime(xyz).to_array())),
             ("Dominant \u{3bb}", dominant),
             ("Purity", purity),
-            ("RGB wanted", triple(self.path.toned)),
-            ("RGB shown", triple(self.path.shown)),
+            ("Linear RGB wanted", triple(self.path.toned)),
+            ("Linear RGB shown", triple(self.path.shown)),
             ("sRGB code", hex(self.path.srgb8)),
         ]
     }
@@ -103,7 +103,7 @@ pub(super) fn swatches_ui(ui: &mut Ui, seen: &Seen) {
     let width = 0.5 * ui.available_width();
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 0.0;
-        let sides = [("cut off", seen.clipped()), ("shown", seen.path.srgb8)];
+        let sides = [("without mapping", seen.clipped()), ("shown", seen.path.srgb8)];
         for (number, (name, code)) in sides.into_iter().enumerate() {
             let (rect, response) = ui.allocate_exact_size(vec2(width, 26.0), Sense::hover());
             let round = if number == 0 {

@@ -161,10 +161,9 @@ impl Axes {
         for (function, (name, peak_nm, color)) in curves.into_iter().enumerate() {
             let points = lambdas_nm().step_by(2).map(|lambda_nm| at(function, lambda_nm));
             let points: Vec<_> = points.collect();
-            let color = color.gamma_multiply(0.55);
             // Dark beside the line, so that it is seen on light of its own colour.
             painter.line(points.clone(), Stroke::new(3.0, Color32::from_black_alpha(90)));
-            painter.line(points, Stroke::new(1.2, color));
+            painter.line(points, Stroke::new(1.2, color.gamma_multiply(0.55)));
             paint_barred(painter, at(function, peak_nm) - vec2(0.0, 3.0), name, color);
         }
     }
@@ -206,9 +205,11 @@ fn hue(lambda_nm: f32) -> Color32 {
     HUES[number.min(HUES.len() - 1)]
 }
 
-/// A letter with a bar over it, its foot at `foot`.
+/// A letter with a bar over it, its foot at `foot`, on a dark plate: it lies on light of its own colour.
 fn paint_barred(painter: &Painter, foot: Pos2, letter: &str, color: Color32) {
-    let drawn =
-        painter.text(foot, Align2::CENTER_BOTTOM, letter, FontId::proportional(12.0), color);
-    painter.hline(drawn.x_range(), drawn.top() + 2.5, Stroke::new(1.0, color));
+    let galley = painter.layout_no_wrap(letter.to_owned(), FontId::proportional(12.0), color);
+    let letter = Align2::CENTER_BOTTOM.anchor_size(foot, galley.size());
+    painter.rect_filled(letter.expand2(vec2(3.0, 0.0)), 3.0, theme::BACKDROP.gamma_multiply(0.8));
+    painter.galley(letter.min, galley, color);
+    painter.hline(letter.x_range(), letter.top() + 2.5, Stroke::new(1.0, color));
 }
