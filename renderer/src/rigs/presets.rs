@@ -53,7 +53,8 @@ pub(crate) fn showroom() -> Lights {
 /// Nine small spots spread irregularly over the upper hemisphere, and a dim hemisphere
 /// (Thomas 1986, Fig. 7).
 ///
-/// The paper does not print the positions; these are ours.
+/// The paper does not print the positions; these are ours. The hemisphere is dim enough for what it
+/// says of its diamonds: but for a few sparkles they return little light.
 pub(crate) fn nine_spots() -> Lights {
     // Azimuth, elevation and angular radius in degrees, share of π of the irradiance.
     const SPOTS: [[f64; 4]; 9] = [
@@ -69,7 +70,7 @@ pub(crate) fn nine_spots() -> Lights {
     ];
     Lights {
         discs: spots(&SPOTS).collect(),
-        hemisphere: Some(SkyLight::daylight(0.25)),
+        hemisphere: Some(SkyLight::daylight(0.1)),
         observer_shadow_radians: radians(HEAD_DEGREES),
         ..dark(0.03)
     }
