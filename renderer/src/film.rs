@@ -122,17 +122,27 @@ impl Film {
     /// Mean spectral radiance of the pixels of `rect` that lie in the film, one value per bin; 0
     /// where none does. A sum that is not finite counts as none.
     pub fn mean_spectrum(&self, rect: PixelRect) -> Vec<f32> {
-        let bins = self.bins.count();
-        let Some(rect) = rect.within(self.size()) else { return vec![0.0; bins] };
-        let rows = rect.min[1] as usize..(rect.min[1] + rect.size[1]) as usize;
-        let rows = rows.into_par_iter().map(|row| {
-            let start = (row * self.width as usize + rect.min[0] as usize) * bins;
-            let pixels = &self.sums[start..start + rect.size[0] as usize * bins];
-            sum_per_bin(pixels, bins)
-        });
-        let rows: Vec<_> = rows.collect();
-        mean_of_sums(rows.iter().flatten().copied(), self.bins, rect.count(), self.passes)
+        mean_in(&self.sums, self.size(), self.bins, self.passes, rect)
     }
+}
+
+/// [`Film::mean_spectrum`] of the radiance sums of a film.
+pub(crate) fn mean_in(
+    sums: &[f32],
+    size: [u32; 2],
+    bins: Bins,
+    passes: u32,
+    rect: PixelRect,
+) -> Vec<f32> {
+    let count = bins.count();
+    let Some(rect) = rect.within(size) else { return vec![0.0; count] };
+    let rows = rect.min[1] as usize..(rect.min[1] + rect.size[1]) as usize;
+    let rows = rows.into_par_iter().map(|row| {
+        let start = (row * size[0] as usize + rect.min[0] as usize) * count;
+        sum_per_bin(&sums[start..start + rect.size[0] as usize * count], count)
+    });
+    let rows: Vec<_> = rows.collect();
+    mean_of_sums(rows.iter().flatten().copied(), bins, rect.count(), passes)
 }
 
 /// Sums of pixels whose bins lie side by side.

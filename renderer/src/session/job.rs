@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use super::bell::{Generation, Urgency};
 use super::develop_thread::develop;
 use super::graphics::Refusal;
-use super::reading::FilmCopy;
+use super::reading::{FilmCopy, FilmState};
 use super::shared::{Exposed, Shared, lock};
 use super::workplace::Fault;
 use super::{Activity, Progress, Reading, RenderRequest};
@@ -254,25 +254,23 @@ impl<F> Exposure<F> {
         if known == self.read {
             return Ok(());
         }
-        let is_draft = self.effort == Effort::Draft || self.size != request.size;
+        let film = FilmState {
+            size: self.size,
+            bins: Bins::new(request.trace.bins),
+            passes: self.passes,
+            is_draft: self.effort == Effort::Draft || self.size != request.size,
+        };
         if known.is_none_or(|(_, passes)| passes != self.passes) {
             // A draft is quick, but the round after it may not be.
-            let is_quick = self.round_seconds <= QUICK_ROUND_SECONDS && !is_draft;
-            let film = if is_done || is_quick { None } else { tracer.copy(&self.film) };
-            lock(&shared.watch).keep(film.map(|film| FilmCopy { film, is_draft }));
+            let is_quick = self.round_seconds <= QUICK_ROUND_SECONDS && !film.is_draft;
+            let sums = if is_done || is_quick { None } else { tracer.copy_sums(&self.film) };
+            let copy = sums.map(|sums| FilmCopy { sums, state: film });
+            let old = lock(&shared.watch).keep(copy);
+            drop(old);
         }
         let pixels = region.pixels(self.size);
         let spectrum = tracer.mean_spectrum(&self.film, pixels).map_err(Fault::new)?;
-        let reading = Reading {
-            region,
-            pixels,
-            film_size: self.size,
-            bins: Bins::new(request.trace.bins),
-            spectrum,
-            passes: self.passes,
-            is_draft,
-            serial: 0,
-        };
+        let reading = Reading::new(region, film, spectrum);
         lock(&shared.watch).take(number, reading);
         Ok(())
     }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::film::{Film, PixelRect, Region};
+use crate::film::{PixelRect, Region, mean_in};
 use crate::spectrum::Bins;
 
 /// What the film has in a region.
@@ -27,26 +27,36 @@ pub struct Reading {
     pub serial: u64,
 }
 
-/// A copy of a film, to be read while the film itself is worked on.
-pub(super) struct FilmCopy {
-    pub(super) film: Film,
+/// What a film is, without what is in it.
+#[derive(Clone, Copy)]
+pub(super) struct FilmState {
+    pub(super) size: [u32; 2],
+    pub(super) bins: Bins,
+    pub(super) passes: u32,
     pub(super) is_draft: bool,
+}
+
+impl Reading {
+    /// What a film has in `region`: its mean there is `spectrum`.
+    pub(super) fn new(region: Region, film: FilmState, spectrum: Vec<f32>) -> Self {
+        let FilmState { size, bins, passes, is_draft } = film;
+        let pixels = region.pixels(size);
+        Self { region, pixels, film_size: size, bins, spectrum, passes, is_draft, serial: 0 }
+    }
+}
+
+/// A copy of a film's radiance sums, to be read while the film itself is worked on.
+pub(super) struct FilmCopy {
+    pub(super) sums: Vec<f32>,
+    pub(super) state: FilmState,
 }
 
 impl FilmCopy {
     /// Reads a region.
     pub(super) fn read(&self, region: Region) -> Reading {
-        let pixels = region.pixels(self.film.size());
-        Reading {
-            region,
-            pixels,
-            film_size: self.film.size(),
-            bins: self.film.bins(),
-            spectrum: self.film.mean_spectrum(pixels),
-            passes: self.film.passes(),
-            is_draft: self.is_draft,
-            serial: 0,
-        }
+        let FilmState { size, bins, passes, .. } = self.state;
+        let spectrum = mean_in(&self.sums, size, bins, passes, region.pixels(size));
+        Reading::new(region, self.state, spectrum)
     }
 }
 
@@ -73,7 +83,6 @@ impl Watch {
         self.number += 1;
         if region.is_none() {
             self.reading = None;
-            self.copy = None;
         }
         true
     }
@@ -104,9 +113,11 @@ impl Watch {
         }
     }
 
-    /// Keeps a copy of the film that is watched, or none.
-    pub(super) fn keep(&mut self, copy: Option<FilmCopy>) {
-        self.copy = copy.filter(|_| self.region.is_some()).map(Arc::new);
+    /// Keeps a copy of the film where one is watched, or none. Gives the one before, which is too
+    /// large to be dropped while others wait for this.
+    #[must_use]
+    pub(super) fn keep(&mut self, copy: Option<FilmCopy>) -> Option<Arc<FilmCopy>> {
+        std::mem::replace(&mut self.copy, copy.filter(|_| self.region.is_some()).map(Arc::new))
     }
 
     pub(super) fn copy(&self) -> Option<&Arc<FilmCopy>> {

@@ -63,6 +63,9 @@ fn serve_on_device<D: Device>(
 }
 
 fn publish_failure<D: Device>(shared: &Shared<D>, error: String) {
+    // There is no film to be read any more.
+    let unread = lock(&shared.watch).keep(None);
+    drop(unread);
     shared.publish(Progress {
         activity: Activity::Failed,
         error: Some(error),

@@ -51,7 +51,12 @@ impl<D: Device> Threads<D> {
 
     /// Reads the spectrum of `region` from now on. No work is dropped for that.
     pub(super) fn watch(&mut self, region: Option<Region>) {
-        if lock(&self.shared.watch).set(region) && region.is_some() {
+        let mut watch = lock(&self.shared.watch);
+        let is_other = watch.set(region);
+        let unread = if region.is_none() { watch.keep(None) } else { None };
+        drop(watch);
+        drop(unread);
+        if is_other && region.is_some() {
             self.shared.to_trace.ring(Urgency::None);
             self.shared.to_read.ring(Urgency::None);
         }

@@ -141,7 +141,7 @@ impl Tracer for GpuTracer {
         self.developer.mean_spectrum(film.size(), bins, passes, film.bands(), rect)
     }
 
-    fn copy(&self, _film: &GpuFilm) -> Option<Film> {
+    fn copy_sums(&self, _film: &GpuFilm) -> Option<Vec<f32>> {
         None
     }
 
