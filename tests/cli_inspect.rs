@@ -65,6 +65,8 @@ fn the_tree_is_told_line_by_line() {
     let [pixel, counts, energy, blank] = [0, 1, 2, 3].map(|i| told.lines().nth(i).unwrap());
     assert!(pixel.starts_with("pixel") && energy.starts_with("energy") && blank.is_empty());
     assert!(counts.starts_with(&format!("{rays} rays")), "{counts}");
+    let numbers: Vec<usize> = counts.split(' ').filter_map(|word| word.parse().ok()).collect();
+    assert_eq!(numbers[1..].iter().sum::<usize>(), rays, "each ray ends somehow: {counts}");
     assert_eq!(told.lines().count(), 4 + rays, "a line for each ray");
 }
 

@@ -79,6 +79,11 @@ impl Inspector {
         self.rays.tree()
     }
 
+    /// The ray of the tree that is pointed at or selected.
+    pub fn looked_at_ray(&self) -> Option<u32> {
+        self.rays.looked_at()
+    }
+
     /// Has the rays of what is picked followed, where that is shown and not done yet; no others.
     pub fn follow_rays(&mut self, scene: &Arc<Scene>, trace: &TraceSettings, waker: &Waker) {
         if let Some(pick) = self.pick.filter(|_| self.shown && self.tab == Tab::Rays) {

@@ -1,6 +1,8 @@
 //! Rays, surfaces and lights in words, for people.
 
-use brilliance_renderer::inspect::{InterfaceEvent, LightKind, Limit, RayEnd, RayKind, SeenLight};
+use brilliance_renderer::inspect::{
+    InterfaceEvent, LightKind, Limit, RayCounts, RayEnd, RayKind, SeenLight,
+};
 
 /// How a ray came to be, in a word or two.
 pub(crate) fn kind(kind: RayKind) -> &'static str {
@@ -65,6 +67,31 @@ fn shadow(observer_shadow: f32) -> String {
     } else {
         String::new()
     }
+}
+
+/// A number of rays.
+pub(crate) fn rays(count: u64) -> String {
+    if count == 1 { "1 ray".to_owned() } else { format!("{count} rays") }
+}
+
+/// What became of all rays of a tree; the numbers add up to that of the rays.
+pub(crate) fn counts(counts: &RayCounts) -> String {
+    let words: Vec<_> = [
+        (counts.interfaces, "met interfaces"),
+        (counts.matte, "met matte surfaces"),
+        (counts.lights, "found lights"),
+        (counts.backdrop, "saw the backdrop"),
+        (counts.dark, "saw no light"),
+        (counts.pruned, "pruned"),
+        (counts.cut_off, "cut off"),
+        (counts.lost, "lost"),
+        (counts.unrecorded, "not recorded further"),
+    ]
+    .into_iter()
+    .filter(|(count, _)| *count > 0)
+    .map(|(count, what)| format!("{count} {what}"))
+    .collect();
+    words.join(", ")
 }
 
 /// A part of a whole.

@@ -2,7 +2,9 @@
 
 use brilliance_renderer::inspect::RayTree;
 use brilliance_renderer::scene_file::Document;
-use eframe::egui::{Key, Modifiers, OutputCommand, PointerButton, accesskit::Role, vec2};
+use eframe::egui::{
+    Event, Key, Modifiers, OutputCommand, PointerButton, Vec2, accesskit::Role, vec2,
+};
 use egui_kittest::kittest::{NodeT as _, Queryable as _, by};
 
 use crate::window::*;
@@ -117,6 +119,95 @@ fn filters_and_order_choose_the_rows() {
     set(&mut harness, "From depth", 1.0);
     harness.run_steps(3);
     assert!(rows(&harness)[0].contains("refracted"), "{:?}", rows(&harness));
+
+    harness.get_by_label(&format!("1 of {} rays shown", tree(&harness).rays.len()));
+    harness.get_by_label("Show all").click();
+    harness.run_steps(3);
+    assert!(rows(&harness).len() > 3, "{:?}", rows(&harness));
+    assert!(harness.query_by_label("Show all").is_none());
+}
+
+/// Moves the pointer about the pixel until it points to a ray that begins there.
+fn point_to_a_ray(harness: &mut AppHarness) -> Option<u32> {
+    let center = picture_centre(harness);
+    for degrees in (0..360).step_by(10) {
+        harness.hover_at(center + 25.0 * Vec2::angled((degrees as f32).to_radians()));
+        harness.run_steps(2);
+        if let Some(ray) = harness.state().inspector().looked_at_ray() {
+            return Some(ray);
+        }
+    }
+    None
+}
+
+#[test]
+fn a_click_on_a_ray_selects_it_and_escape_selects_nothing() {
+    let mut harness = harness_with_rays();
+    let pick = harness.state().inspector().pick().copied();
+    let pointed = point_to_a_ray(&mut harness).expect("rays begin at the pixel");
+    let at = harness.ctx.input(|input| input.pointer.latest_pos()).expect("it is over a ray");
+    click(&mut harness, at);
+    harness.run_steps(2);
+    assert_eq!(harness.state().inspector().pick().copied(), pick, "nothing else is picked");
+    assert_eq!(harness.state().inspector().looked_at_ray(), Some(pointed));
+    harness.get_by_label("eye");
+    harness.key_press(Key::Escape);
+    harness.run_steps(3);
+    assert!(harness.query_by_label("eye").is_none());
+}
+
+#[test]
+fn no_ray_is_pointed_at_through_a_window() {
+    let mut harness = harness_with_rays();
+    harness.key_press(Key::L);
+    harness.run_steps(5);
+    assert_eq!(point_to_a_ray(&mut harness), None);
+}
+
+#[test]
+fn a_click_within_one_frame_points_to_no_ray() {
+    let mut harness = harness_with_rays();
+    let at = picture_centre(&harness) + vec2(40.0, 30.0);
+    let button = |pressed| Event::PointerButton {
+        pos: at,
+        button: PointerButton::Primary,
+        pressed,
+        modifiers: Modifiers::NONE,
+    };
+    let events = [Event::PointerMoved(at), button(true), button(false)];
+    harness.input_mut().events.extend(events);
+    harness.step();
+    let picked = harness.state().inspector().pick().expect("it picks").pixels.middle();
+    wait(&mut harness, "the other tree", |app| {
+        app.inspector().ray_tree().is_some_and(|tree| tree.pixel == picked)
+    });
+    harness.run_steps(3);
+    assert_eq!(harness.state().inspector().looked_at_ray(), None);
+}
+
+#[test]
+fn the_selected_ray_stays_selected_when_the_stone_changes_and_not_for_another_pixel() {
+    let mut harness = harness_with_rays();
+    harness.get(by().role(Role::ListItem).label_contains("ray 2, ")).click();
+    harness.run_steps(3);
+    let before = tree(&harness).clone();
+    set(&mut harness, "Refractive index", 1.7);
+    wait(&mut harness, "the tree of the new stone", |app| {
+        app.inspector().ray_tree().is_some_and(|tree| tree.rays[1] != before.rays[1])
+    });
+    let center = picture_centre(&harness);
+    harness.hover_at(center);
+    harness.run_steps(3);
+    let selected = harness.state().inspector().looked_at_ray().expect("it is selected still");
+    let (ray, was) = (&tree(&harness).rays[selected as usize], &before.rays[2]);
+    assert_eq!((ray.kind, &ray.from), (was.kind, &was.from));
+
+    click(&mut harness, center + vec2(30.0, 60.0));
+    wait(&mut harness, "the other tree", |app| {
+        app.inspector().ray_tree().is_some_and(|tree| tree.pixel != before.pixel)
+    });
+    harness.run_steps(3);
+    assert!(harness.query_by_label("eye").is_none());
 }
 
 #[test]

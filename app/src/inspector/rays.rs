@@ -9,9 +9,11 @@ mod overlay;
 mod palette;
 mod projection;
 mod recording;
+mod rows;
 mod table;
 mod totals;
 mod traced;
+mod trail;
 
 use std::sync::Arc;
 
@@ -29,21 +31,21 @@ use filter::Filter;
 use overlay::Drawing;
 use projection::Projection;
 use recording::Recording;
+use rows::{Order, Rows};
 use table::Table;
-use traced::Traced;
+use trail::Trail;
 
 /// A pointer that has moved less than this since it was pressed, in points, still means the pixel that
 /// it has picked, and none of the rays that begin there.
 const STILL: f32 = 12.0;
 
-/// In which order the rays are listed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-enum Order {
-    /// Each before those that came of it.
-    #[default]
-    Tree,
-    /// The most significant first.
-    Strongest,
+/// What the table is scrolled to.
+#[derive(Clone, Copy, Debug)]
+enum Bring {
+    /// Its first row.
+    Top,
+    /// A ray that was pointed at in the picture.
+    Ray(u32),
 }
 
 /// What is looked at.
@@ -75,8 +77,14 @@ pub(super) struct Rays {
     focus: Focus,
     /// How much of the picture the rays cover, 0..=1.
     veil: f32,
-    /// A ray that was pointed at in the picture, to be brought into sight in the table.
-    bring: Option<u32>,
+    /// What is to be brought into sight in the table.
+    bring: Option<Bring>,
+    /// The rows of the table.
+    listed: Rows,
+    /// The rays in the picture.
+    drawn: Rows,
+    /// What the tree is of.
+    pick: Option<Pick>,
     /// Where the pointer was pressed last.
     pressed_at: Option<Pos2>,
 }
@@ -90,6 +98,9 @@ impl Default for Rays {
             focus: Focus::default(),
             veil: Self::VEIL,
             bring: None,
+            listed: Rows::default(),
+            drawn: Rows::default(),
+            pick: None,
             pressed_at: None,
         }
     }
@@ -107,8 +118,19 @@ impl Rays {
         trace: &TraceSettings,
         waker: &Waker,
     ) {
-        if self.recording.update(pick, scene, trace, waker) {
-            self.focus = Focus::default();
+        let trail = self.trail();
+        if !self.recording.update(pick, scene, trace, waker) {
+            return;
+        }
+        self.listed = Rows::default();
+        self.drawn = Rows::default();
+        self.focus = Focus::default();
+        if self.pick.replace(*pick) == Some(*pick) {
+            // The stone or the settings have changed.
+            let found = trail.zip(self.tree()).map(|(trail, tree)| trail.follow(tree));
+            self.focus.selected = found;
+        } else {
+            self.bring = Some(Bring::Top);
         }
     }
 
@@ -117,11 +139,22 @@ impl Rays {
         self.recording.cancel();
     }
 
-    /// Forgets what was recorded.
+    /// The way to what is selected, when another tree may come.
+    fn trail(&self) -> Option<Trail> {
+        let selected = self.focus.selected.filter(|_| self.recording.is_running())?;
+        self.tree().map(|tree| Trail::to(tree, selected))
+    }
+
+    /// Forgets what was recorded and what of it was shown.
     pub(super) fn clear(&mut self) {
         self.recording.clear();
-        self.focus = Focus::default();
-        self.pressed_at = None;
+        // A filter for one tree would hide who knows what of another.
+        *self = Self {
+            recording: std::mem::take(&mut self.recording),
+            order: self.order,
+            veil: self.veil,
+            ..Self::default()
+        };
     }
 
     /// The tree that is shown.
@@ -144,7 +177,9 @@ impl Rays {
             }
             return;
         };
-        totals::show(ui, &traced.tree);
+        totals::show(ui, traced);
+        let shown = self.listed.choose(traced, self.filter, self.order).len();
+        self.filter.hint_ui(ui, shown, traced.tree.rays.len());
         CollapsingHeader::new("Show").default_open(false).show(ui, |ui| {
             self.filter.show(ui, traced.deepest);
             SliderRow::new("Veil", "Covers the picture under the rays.", 0.0..=1.0, Self::VEIL)
@@ -155,14 +190,23 @@ impl Rays {
         let orders = [(Order::Tree, "along the tree"), (Order::Strongest, "strongest first")];
         choice(ui, "Order", "The order of the rays below.", &mut self.order, &orders);
         ui.separator();
-        let rows = rows(traced, &self.filter, self.order);
         detail::show(ui, traced, &mut self.focus);
         table::heading_ui(ui);
+        let rows = self.listed.choose(traced, self.filter, self.order);
         if rows.is_empty() {
-            ui.label(RichText::new("No ray is like this.").color(theme::TEXT_WEAK));
+            self.filter.hint_ui(ui, 0, traced.tree.rays.len());
         }
-        let table = Table { traced, rows: &rows, is_indented: self.order == Order::Tree };
-        table.show(ui, &mut self.focus, self.bring.take());
+        let bring = self.bring.take().and_then(|bring| match bring {
+            Bring::Top => rows.first().copied(),
+            Bring::Ray(id) => Some(id),
+        });
+        let table = Table { traced, rows, is_indented: self.order == Order::Tree };
+        table.show(ui, &mut self.focus, bring);
+    }
+
+    /// The ray whose path is shown.
+    pub(super) fn looked_at(&self) -> Option<u32> {
+        self.focus.looked_at()
     }
 
     /// Selects the ray under the pointer; false where there is none.
@@ -187,10 +231,10 @@ impl Rays {
     ) {
         let room = picture.rect;
         let Some(traced) = self.recording.tree() else { return };
-        let rays = rows(traced, &self.filter, Order::Strongest);
+        let rays = self.drawn.choose(traced, self.filter, Order::Strongest);
         let drawing = Drawing {
             traced,
-            rays: &rays,
+            rays,
             focus: self.focus.clone(),
             veil: self.veil,
             projection: Projection::new(camera, size, room),
@@ -212,17 +256,9 @@ impl Rays {
         let in_picture = if clicks { self.focus.in_picture } else { pointed };
         if in_picture != self.focus.in_picture {
             self.focus.in_picture = in_picture;
-            self.bring = in_picture.filter(|id| !self.focus.in_sight.contains(id));
+            let hidden = in_picture.filter(|id| !self.focus.in_sight.contains(id));
+            self.bring = hidden.map(Bring::Ray).or(self.bring);
             painter.ctx().request_repaint();
         }
     }
-}
-
-/// The rays that the filter lets through.
-fn rows(traced: &Traced, filter: &Filter, order: Order) -> Vec<u32> {
-    let all: &mut dyn Iterator<Item = u32> = match order {
-        Order::Tree => &mut (0..traced.tree.rays.len() as u32),
-        Order::Strongest => &mut traced.strongest.iter().copied(),
-    };
-    all.filter(|&id| filter.admits(traced, id)).collect()
 }

@@ -4,12 +4,14 @@
 //! ray, and looks over its shoulder: before each ray is followed by the rules, it is followed once
 //! more on a walk beside it that keeps all rays, so that those which the rules prune are seen too.
 
+mod counts;
 mod end;
 mod names;
 mod recorder;
 mod request;
 mod tree;
 
+pub use counts::RayCounts;
 pub use end::{InterfaceEvent, LightKind, Limit, RayEnd, SeenLight};
 pub use names::{Name, Surface};
 pub use request::RayTreeRequest;

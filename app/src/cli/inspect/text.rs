@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use brilliance_renderer::inspect::{RayEnd, RayTree, RecordedRay};
+use brilliance_renderer::inspect::{RayCounts, RayEnd, RayTree, RecordedRay};
 
 use crate::ray_words;
 
@@ -16,30 +16,24 @@ pub(super) fn write(out: &mut impl Write, tree: &RayTree) -> io::Result<()> {
         write_ray(out, ray)?;
     }
     if tree.is_truncated {
-        writeln!(out, "… and {} rays more, which are in the totals only", tree.unrecorded_rays)?;
+        writeln!(
+            out,
+            "… and {} more, which are in the totals only",
+            ray_words::rays(tree.unrecorded_rays)
+        )?;
     }
     Ok(())
 }
 
 fn write_totals(out: &mut impl Write, tree: &RayTree) -> io::Result<()> {
     let ([x, y], [width, height]) = (tree.pixel, tree.size_px);
-    let count = |is_counted: fn(&RayEnd) -> bool| {
-        tree.rays.iter().filter(|ray| is_counted(&ray.end)).count()
-    };
+    let counts = RayCounts::of(tree);
     let ledger = &tree.ledger;
     let percent = |energy: f64| ray_words::percent(energy as f32);
     let bins = tree.radiance_per_bin.len().max(1);
     let radiance: f64 = tree.radiance_per_bin.iter().map(|&bin| f64::from(bin)).sum();
     writeln!(out, "pixel {x},{y} of {width}x{height}, pass {}", tree.pass_index)?;
-    writeln!(
-        out,
-        "{} rays: {} met interfaces, {} found lights, {} were pruned, {} cut off",
-        tree.rays.len() as u64 + tree.unrecorded_rays,
-        count(|end| matches!(end, RayEnd::Interface(_))),
-        count(|end| matches!(end, RayEnd::Lights { .. })),
-        count(|end| matches!(end, RayEnd::Pruned)),
-        count(|end| matches!(end, RayEnd::CutOff { .. })),
-    )?;
+    writeln!(out, "{}: {}", ray_words::rays(counts.total()), ray_words::counts(&counts))?;
     writeln!(
         out,
         "energy: {} returned, {} absorbed, {} pruned, {} cut off, {} lost; mean radiance {:.4}",

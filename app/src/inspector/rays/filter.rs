@@ -5,7 +5,9 @@ use eframe::egui::{RichText, Ui};
 
 use super::legend;
 use super::traced::Traced;
+use crate::ray_words;
 use crate::row::{SliderRow, labelled, switch};
+use crate::theme;
 
 /// Least significance that can be asked for.
 const FAINTEST: f32 = 1e-6;
@@ -14,7 +16,7 @@ const FAINTEST: f32 = 1e-6;
 const KINDS: [RayKind; 3] = [RayKind::Refracted, RayKind::TotallyReflected, RayKind::Reflected];
 
 /// Which rays of a tree are shown, in the table and in the picture.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Filter {
     /// Fewest interfaces before the ray.
     from_depth: u32,
@@ -48,6 +50,20 @@ impl Filter {
             && (self.from_depth..=self.to_depth).contains(&ray.depth)
             && (ray.significance >= self.least_significance || self.least_significance == FAINTEST)
             && (!self.lamps_only || traced.reaches_lamp(id))
+    }
+
+    /// Where rays are hidden, says that `shown` of `all` are not, and offers to show all.
+    pub(super) fn hint_ui(&mut self, ui: &mut Ui, shown: usize, all: usize) {
+        if *self == Self::default() {
+            return;
+        }
+        ui.horizontal(|ui| {
+            let words = format!("{shown} of {} shown", ray_words::rays(all as u64));
+            ui.label(RichText::new(words).color(theme::WARNING));
+            if ui.small_button("Show all").clicked() {
+                *self = Self::default();
+            }
+        });
     }
 
     /// The controls.

@@ -1,13 +1,14 @@
 //! What became of the camera ray in all.
 
-use brilliance_renderer::inspect::{RayEnd, RayTree};
+use brilliance_renderer::inspect::RayTree;
 use eframe::egui::{Align, Button, Color32, Layout, Rect, RichText, Sense, Ui, pos2, vec2};
 
+use super::traced::Traced;
 use crate::ray_words;
 use crate::theme;
 
-/// Most rays that are copied to the clipboard: some tens of megabytes of text.
-const MOST_COPIED: usize = 20_000;
+/// Most rays that are copied to the clipboard: some megabytes of text, written within a frame or two.
+const MOST_COPIED: usize = 4000;
 const BAR_HEIGHT: f32 = 6.0;
 
 /// An account of the energy.
@@ -18,20 +19,13 @@ struct Account {
 }
 
 /// Counts, and a bar of where the energy went.
-pub(super) fn show(ui: &mut Ui, tree: &RayTree) {
-    let count = |is_counted: fn(&RayEnd) -> bool| {
-        tree.rays.iter().filter(|ray| is_counted(&ray.end)).count()
-    };
-    let words = format!(
-        "{} rays, {} pruned, {} saw lights",
-        tree.rays.len() as u64 + tree.unrecorded_rays,
-        count(|end| matches!(end, RayEnd::Pruned)),
-        count(|end| matches!(end, RayEnd::Lights { .. })),
-    );
+pub(super) fn show(ui: &mut Ui, traced: &Traced) {
+    let (tree, counts) = (&traced.tree, &traced.counts);
     ui.horizontal(|ui| {
-        ui.label(words);
+        ui.label(ray_words::rays(counts.total()));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| copy_ui(ui, tree));
     });
+    ui.label(RichText::new(ray_words::counts(counts)).small().color(theme::TEXT_WEAK));
     if tree.is_truncated {
         let words = format!("{} of them are too many to be listed.", tree.unrecorded_rays);
         ui.label(RichText::new(words).color(theme::WARNING));

@@ -1,6 +1,6 @@
 //! A recorded tree with all that drawing it needs, made once.
 
-use brilliance_renderer::inspect::{LightKind, RayEnd, RayTree, RecordedRay};
+use brilliance_renderer::inspect::{LightKind, RayCounts, RayEnd, RayTree, RecordedRay};
 use brilliance_renderer::scene::Scene;
 use eframe::egui::Color32;
 
@@ -17,6 +17,7 @@ const STUB: f32 = 0.06;
 #[derive(Debug)]
 pub(super) struct Traced {
     pub(super) tree: RayTree,
+    pub(super) counts: RayCounts,
     /// Edges of the stones.
     pub(super) outline: Vec<Edge>,
     /// Ids of the rays, the most significant first.
@@ -40,6 +41,7 @@ impl Traced {
             deepest: tree.rays.iter().map(|ray| ray.depth).max().unwrap_or(0),
             colors: tree.rays.iter().map(color).collect(),
             reaches_lamp: reaching_lamps(&tree.rays),
+            counts: RayCounts::of(&tree),
             reach_mm: Bounds::of(scene).radius,
             tree,
         }
