@@ -8,7 +8,7 @@ mod prints;
 mod spectra;
 mod unwrapped;
 
-pub use passages::MAX_PASSAGES;
+pub use passages::{MAX_PASSAGES, MAX_THROWER_FACETS};
 
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec3, Vec4};
