@@ -88,7 +88,7 @@ impl ObjectEntry {
             }
             (_, Some(entry), _) => (Shape::Polyhedron(entry.read().under("polyhedron")?), None),
             (_, _, Some(entry)) => {
-                let (source, material) = meshes.read(&entry).under("mesh")?;
+                let (source, material) = meshes.read(&entry, &mut images.budget).under("mesh")?;
                 (Shape::Mesh(source), Some(material))
             }
             (None, None, None) => return Err(Fault::new("the object has no shape")),
