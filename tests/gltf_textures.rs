@@ -7,13 +7,13 @@ use std::io::Cursor;
 use std::path::Path;
 use std::sync::Arc;
 
-use brilliance_renderer::import::gltf::{GltfScene, load, load_from_memory};
-use brilliance_renderer::material::{Layout, Material, Outside, Print};
+use brilliance_renderer::import::gltf::{GltfScene, load, load_from_memory, load_within};
+use brilliance_renderer::material::{Image, Layout, Material, Outside, Print, TexelBudget};
 use brilliance_renderer::packed::PackedScene;
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::spectrum::{Bins, Spectrum};
 use glam::Vec2;
-use image::{ImageFormat, Rgb, RgbImage};
+use image::{ImageFormat, Rgb, RgbImage, Rgba, RgbaImage};
 use serde_json::{Value, json};
 
 const POSITIONS: [[f32; 3]; 4] =
@@ -290,4 +290,56 @@ fn the_print_is_found_again_by_the_scene_file() {
         Document::open_with(&saved, &["objects.0.material.diffuse=0.5".to_owned()]).unwrap();
     let Material::Diffuse(diffuse) = &other.scene.objects[0].material else { panic!("not matte") };
     assert_eq!((&diffuse.reflectance, &diffuse.print), (&Spectrum::Flat(0.5), &None));
+}
+
+/// What is opaque, as it is where nothing is said, has no use for alpha (glTF 2.0, §3.9.4).
+#[test]
+fn alpha_is_ignored_where_the_material_is_opaque() {
+    let mut png = Cursor::new(Vec::new());
+    RgbaImage::from_pixel(1, 1, Rgba([10, 20, 30, 0]))
+        .write_to(&mut png, ImageFormat::Png)
+        .unwrap();
+    let mut file = square();
+    file["images"][0] = json!({"uri": data_uri(png.get_ref())});
+    let (colour, white) = (0x1e_14_0a, 0xff_ff_ff);
+    for (number, (mode, texel)) in
+        [(None, colour), (Some("OPAQUE"), colour), (Some("MASK"), white), (Some("BLEND"), white)]
+            .into_iter()
+            .enumerate()
+    {
+        // Every material of the file has the same image.
+        file["materials"][number] = file["materials"][0].clone();
+        if let Some(mode) = mode {
+            file["materials"][number]["alphaMode"] = mode.into();
+        }
+        file["meshes"][0]["primitives"][number] = file["meshes"][0]["primitives"][0].clone();
+        file["meshes"][0]["primitives"][number]["material"] = number.into();
+        let scene = read(&file).unwrap();
+        assert_eq!(print_of(&scene, number).image.texels, [texel], "{mode:?}");
+        assert_eq!(print_of(&scene, 0).image.texels, [colour]);
+    }
+}
+
+#[test]
+fn the_images_of_several_files_share_a_budget() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("square.gltf");
+    std::fs::write(&path, square().to_string()).unwrap();
+    let mut budget = TexelBudget::new(100);
+    assert_stripes(print_of(&load_within(&path, &mut budget).unwrap(), 0));
+    let fault = load_within(&path, &mut budget).unwrap_err().to_string();
+    assert!(fault.contains("image 'stripes'") && fault.contains("128 texels; 100"), "{fault}");
+}
+
+#[test]
+fn an_image_file_that_is_too_large_is_not_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut file = square();
+    file["images"][0] = json!({"uri": "large.png"});
+    let path = folder.path().join("square.gltf");
+    std::fs::write(&path, file.to_string()).unwrap();
+    let large = std::fs::File::create(folder.path().join("large.png")).unwrap();
+    large.set_len(Image::MAX_FILE_BYTES + 1).unwrap();
+    let fault = load(&path).unwrap_err().to_string();
+    assert!(fault.contains("large.png") && fault.contains("too many"), "{fault}");
 }

@@ -209,6 +209,31 @@ fn an_image_beside_the_scene_is_read_once_and_saved_by_its_path() {
     }
 }
 
+/// Whichever way a path goes about it.
+#[test]
+fn a_file_is_read_once_by_whatever_path() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::create_dir(folder.path().join("sub")).unwrap();
+    let octahedron = include_bytes!("../assets/gems/spinel_octahedron.glb");
+    std::fs::write(folder.path().join("stone.glb"), octahedron).unwrap();
+    let image = image::RgbImage::from_pixel(3, 2, image::Rgb([10, 20, 30]));
+    image.save(folder.path().join("paper.png")).unwrap();
+    let object = |to: &str| {
+        format!(
+            "[[objects]]\nmesh = {{ file = \"{to}stone.glb\" }}\nmaterial.diffuse = 1\n\
+             material.print = {{ file = \"{to}paper.png\", width_mm = 3 }}\n"
+        )
+    };
+    let text = format!("format = 1\n{}{}", object(""), object("sub/../"));
+    let objects = Document::from_toml(&text, folder.path()).unwrap().scene.objects;
+    let [Shape::Mesh(first), Shape::Mesh(second)] = [&objects[0].shape, &objects[1].shape] else {
+        panic!("not meshes")
+    };
+    assert!(std::sync::Arc::ptr_eq(&first.mesh, &second.mesh));
+    // Prints are the same when they have the same image in memory.
+    assert_eq!(objects[0].material, objects[1].material);
+}
+
 #[test]
 fn a_stretched_library_curve_is_written_by_its_figures() {
     let mut document = Document::default();

@@ -120,6 +120,21 @@ fn dominant_wavelengths_are_the_published_ones() {
     assert!((purity - 0.622_885_6).abs() < 2e-3, "{purity}");
 }
 
+/// On a corner of the locus, where two of its lines meet.
+#[test]
+fn single_wavelengths_are_their_own_dominant_ones() {
+    for lambda_nm in (380..=700).map(f64::from) {
+        let pure = color::xy(Observer::color_matching_at(lambda_nm));
+        let found = dominant_wavelength(pure.to_array()).expect("it has a hue");
+        assert!(!found.is_complementary, "{lambda_nm}: {found:?}");
+        // At its ends the locus is not quite convex.
+        if (400.0..=680.0).contains(&lambda_nm) {
+            assert!((found.lambda_nm - lambda_nm).abs() < 0.05, "{lambda_nm}: {found:?}");
+            assert!((found.purity - 1.0).abs() < 1e-4, "{lambda_nm}: {found:?}");
+        }
+    }
+}
+
 #[test]
 fn mixtures_with_white_have_the_wavelength_and_the_share_that_were_mixed() {
     let white = color::d65_white();

@@ -1,14 +1,12 @@
 //! The film: sums of spectral radiance per pixel, and of what it took to find them.
 
 mod counts;
-
-pub use counts::Counts;
-
 mod region;
 
-use rayon::prelude::*;
-
+pub use counts::Counts;
 pub use region::{PixelRect, Region};
+
+use rayon::prelude::*;
 
 use crate::spectrum::Bins;
 

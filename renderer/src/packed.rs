@@ -8,7 +8,7 @@ mod prints;
 mod spectra;
 mod unwrapped;
 
-pub use passages::MAX_PASSAGES;
+pub use passages::{MAX_PASSAGES, MAX_THROWER_FACETS};
 
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec3, Vec4};
@@ -126,7 +126,7 @@ pub struct PackedPrint {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct PackedMaterial {
-    /// Row of the index table, or [`NONE`] for an opaque diffuse material.
+    /// First number of the index table, or [`NONE`] for an opaque diffuse material.
     pub index_table: u32,
     /// Row of the absorption coefficient per mm, or [`NONE`].
     pub absorption: u32,
@@ -256,9 +256,8 @@ pub struct PackedScene {
     pub triangles: Vec<PackedTriangle>,
     /// Materials.
     pub materials: Vec<PackedMaterial>,
-    /// n(λ) at every nm, [`INDEX_TABLE_LEN`] per dielectric.
-    pub index_tables: Vec<f32>,
-    /// Mean values per bin: radiances, reflectances, absorption coefficients.
+    /// First rows of mean values per bin: radiances, reflectances, absorption coefficients; then
+    /// n(λ) at every nm, [`INDEX_TABLE_LEN`] per dielectric. They share an array as `words` do.
     pub spectra: Vec<f32>,
     /// Disc lights.
     pub discs: Vec<PackedDisc>,
@@ -285,6 +284,7 @@ impl PackedScene {
         let passages = passages::pack(&mut discs, &bodies.throwers, &materials)?;
         let sky = spectra::pack_sky(&scene.lights, &mut spectra)?;
         let ground = spectra::pack_ground(scene.ground.as_ref(), &mut spectra)?;
+        let (materials, spectra) = materials.behind(spectra.into_values());
         Ok(Self {
             bins,
             instances: bodies.instances,
@@ -293,9 +293,8 @@ impl PackedScene {
             planes: bodies.planes,
             nodes: bodies.nodes,
             triangles: bodies.triangles,
-            materials: materials.materials,
-            index_tables: materials.index_tables,
-            spectra: spectra.into_values(),
+            materials,
+            spectra,
             discs,
             passages,
             sky,

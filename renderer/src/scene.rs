@@ -11,10 +11,11 @@ use glam::{Quat, Vec3};
 
 use crate::camera::Camera;
 use crate::cuts::RoundBrilliant;
+use crate::error::RendererError;
 use crate::light::Lights;
 use crate::material::{Diffuse, Layout, Material};
 use crate::mesh::Mesh;
-use crate::solid::HalfSpace;
+use crate::solid::{HalfSpace, Solid};
 use crate::spectrum::Spectrum;
 
 /// Everything that can be seen.
@@ -53,6 +54,40 @@ impl Object {
             return false;
         };
         print.layout == Layout::Coordinates
+    }
+
+    /// The convex solid that it is, in its own frame.
+    ///
+    /// # Errors
+    /// It is a mesh, or its proportions or half-spaces enclose no volume; the text names the object.
+    pub(crate) fn solid(&self) -> Result<Solid, RendererError> {
+        let named = |fault: String| RendererError::Invalid(format!("{}: {fault}", self.name));
+        let solid = match &self.shape {
+            Shape::Mesh(_) => {
+                return Err(named("a mesh is not known to be convex; choose a cut".into()));
+            }
+            Shape::RoundBrilliant(cut) => {
+                cut.half_spaces().and_then(|half_spaces| Solid::from_half_spaces(&half_spaces))
+            }
+            Shape::Polyhedron(half_spaces) => Solid::from_half_spaces(half_spaces),
+        };
+        solid.map_err(|fault| named(fault.to_string()))
+    }
+
+    /// Refuses an object that shall throw light and can't: only through what is clear and known to be
+    /// convex can light be followed straight.
+    pub(crate) fn check_throwing(&self) -> Result<(), &'static str> {
+        match (&self.shape, &self.material) {
+            _ if !self.throws_light => Ok(()),
+            (Shape::Mesh(_), _) => {
+                Err("a mesh can't throw light, only a round_brilliant or a polyhedron; switch \
+                 throws_light off")
+            }
+            (_, Material::Diffuse(_)) => {
+                Err("what is matte can't throw light; make it clear, or switch throws_light off")
+            }
+            _ => Ok(()),
+        }
     }
 }
 

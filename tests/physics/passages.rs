@@ -1,6 +1,8 @@
 //! Light that goes straight through clear bodies onto matte surfaces.
 
+use std::f32::consts::FRAC_PI_2;
 use std::f64::consts::{FRAC_PI_4, PI};
+use std::time::{Duration, Instant};
 
 use brilliance_renderer::cuts::RoundBrilliant;
 use brilliance_renderer::error::RendererError;
@@ -12,7 +14,7 @@ use brilliance_renderer::kernel::trace::trace;
 use brilliance_renderer::kernel::walk::{RayStack, Walk};
 use brilliance_renderer::light::{DiscLight, Lights};
 use brilliance_renderer::material::{Dielectric, Diffuse, Dispersion, Material};
-use brilliance_renderer::packed::{MAX_PASSAGES, PackedScene};
+use brilliance_renderer::packed::{MAX_PASSAGES, MAX_THROWER_FACETS, PackedScene};
 use brilliance_renderer::scene::{Ground, Object, Scene, Shape};
 use brilliance_renderer::settings::TraceSettings;
 use brilliance_renderer::solid::HalfSpace;
@@ -66,14 +68,19 @@ impl Meter {
     }
 
     fn read(&mut self, x: f64, y: f64, pass_index: u32) -> Vec<f64> {
+        let above = Vec3::new(x as f32, y as f32, self.height + 1e-3);
+        self.read_along(&Ray::white(above, Vec3::NEG_Z), pass_index)
+    }
+
+    /// Of what the ray meets.
+    fn read_along(&mut self, ray: &Ray, pass_index: u32) -> Vec<f64> {
         let rules = rules(&TraceSettings::default());
         let mut pixel = vec![0.0; BINS as usize];
         self.seed += 1;
         let seed = hash(self.seed);
         let mut walk =
             Walk::new(&self.packed, &rules, pass_index, seed, &mut self.stack, &mut pixel);
-        let above = Vec3::new(x as f32, y as f32, self.height + 1e-3);
-        trace(&mut walk, &Ray::white(above, Vec3::NEG_Z));
+        trace(&mut walk, ray);
         pixel.iter().map(|&radiance| PI * f64::from(radiance)).collect()
     }
 }
@@ -118,7 +125,7 @@ fn middle_nm(bin: usize) -> f64 {
 #[test]
 fn a_facet_multiplies_irradiance_by_its_transmittance_and_the_widths_of_the_beam() {
     for eta in [0.4_f32, 1.0 / 1.5, 1.0, 1.5, 2.4] {
-        let critical = if eta > 1.0 { (1.0 / eta).asin() } else { std::f32::consts::FRAC_PI_2 };
+        let critical = if eta > 1.0 { (1.0 / eta).asin() } else { FRAC_PI_2 };
         for step in 1..100 {
             let incidence = critical * step as f32 / 100.0;
             let (cos_i, cos_t) = (incidence.cos(), (eta * incidence.sin()).asin().cos());
@@ -150,6 +157,33 @@ fn the_shadow_of_a_slab_is_fresnels_transmittance_without_a_colour() {
     }
 }
 
+/// Light falls on a wall by the sine of what it has to the vertical, and by the cosine of a turn about
+/// it.
+#[test]
+fn a_wall_is_lit_by_the_cosine_to_its_own_normal() {
+    let (incidence, n): (f64, f64) = (0.7, 1.6);
+    let towards = DVec3::new(incidence.sin(), 0.0, incidence.cos());
+    let refraction = (incidence.sin() / n).asin();
+    let through = transmittance(incidence, refraction).powi(2);
+    let matte = Material::Diffuse(Diffuse { reflectance: Spectrum::Flat(1.0), print: None });
+    for turn in [0.0_f32, 0.5, -1.2] {
+        let mut slab = thrower(object(block(DVec3::new(40.0, 40.0, 2.0)), clear(plain(n))));
+        slab.transform.translation.z = 20.0;
+        let mut wall = object(block(DVec3::new(1.0, 5.0, 5.0)), matte.clone());
+        wall.transform.rotation = Quat::from_rotation_z(turn);
+        let normal = wall.transform.rotation * Vec3::X;
+        let mut meter = Meter::new(&over_ground(-10.0, vec![slab, wall], lamp(towards)));
+        let expected = through * incidence.sin() * f64::from(turn).cos();
+        for pass in 0..8 {
+            let at = Vec3::new(0.0, 0.0, 0.3 * pass as f32 - 1.0);
+            let ray = Ray::white(at + 4.0 * normal, -normal);
+            for found in meter.read_along(&ray, pass) {
+                assert!((found / expected - 1.0).abs() < 1e-3, "{turn}: {found} {expected}");
+            }
+        }
+    }
+}
+
 #[test]
 fn a_coloured_slab_absorbs_along_the_refracted_path() {
     let incidence: f64 = 0.9;
@@ -162,15 +196,33 @@ fn a_coloured_slab_absorbs_along_the_refracted_path() {
         absorption_per_mm: Some(absorption.clone()),
     });
     // It rests on the ground.
-    let mut slab = thrower(object(block(DVec3::new(40.0, 40.0, 0.5 * thickness)), material));
-    slab.transform.translation = Vec3::new(0.0, 0.0, 0.5 * thickness as f32 + 1.0);
-    let mut meter = Meter::new(&over_ground(0.0, vec![slab], lamp(towards)));
+    let lying = thrower(object(block(DVec3::new(40.0, 40.0, 0.5 * thickness)), material.clone()));
+    // Turned onto its side, by a rounding error less or more than a right angle.
+    let turned = |axis: Vec3, half: DVec3| {
+        let mut slab = thrower(object(block(half), material.clone()));
+        slab.transform.rotation = Quat::from_axis_angle(axis, FRAC_PI_2);
+        slab
+    };
+    let slabs = [
+        lying,
+        turned(Vec3::X, DVec3::new(40.0, 0.5 * thickness, 40.0)),
+        turned(Vec3::NEG_X, DVec3::new(40.0, 0.5 * thickness, 40.0)),
+        turned(Vec3::Y, DVec3::new(0.5 * thickness, 40.0, 40.0)),
+    ];
     let refraction = (incidence.sin() / n).asin();
     let clear = transmittance(incidence, refraction).powi(2) * incidence.cos();
     let means = absorption.bin_means(Bins::new(BINS));
-    for (found, alpha) in meter.read(0.0, 0.0, 0).into_iter().zip(means) {
-        let expected = clear * (-f64::from(alpha) * thickness / refraction.cos()).exp();
-        assert!((found / expected - 1.0).abs() < 1e-3, "{alpha}: {found} {expected}");
+    for (number, mut slab) in slabs.into_iter().enumerate() {
+        slab.transform.translation = Vec3::new(0.0, 0.0, 0.5 * thickness as f32);
+        let mut meter = Meter::new(&over_ground(0.0, vec![slab], lamp(towards)));
+        for place in 0..200 {
+            let (x, y) = (0.1 * f64::from(place) - 10.0, 0.07 * f64::from(place) - 7.0);
+            for (found, alpha) in meter.read(x, y, 0).into_iter().zip(&means) {
+                let expected = clear * (-f64::from(*alpha) * thickness / refraction.cos()).exp();
+                let error = (found / expected - 1.0).abs();
+                assert!(error < 1e-3, "slab {number} at {x} {y}: {found} {expected}");
+            }
+        }
     }
 }
 
@@ -438,4 +490,32 @@ fn what_cannot_throw_light_is_refused_by_name() {
     assert!((100..1500).contains(&count), "{count}");
     let fault = packing(vec![quartz], 1 + MAX_PASSAGES / 100).expect_err("many").to_string();
     assert!(fault.contains("8192"), "{fault}");
+}
+
+/// A ball of facets, by the golden angle.
+fn ball(facets: usize) -> Object {
+    let normal = |i: usize| {
+        let z = 1.0 - 2.0 * (i as f64 + 0.5) / facets as f64;
+        let azimuth = 2.399_963 * i as f64;
+        let radius = (1.0 - z * z).sqrt();
+        DVec3::new(radius * azimuth.cos(), radius * azimuth.sin(), z)
+    };
+    let half_spaces = (0..facets).map(|i| half_space(normal(i), 5.0)).collect();
+    thrower(object(Shape::Polyhedron(half_spaces), clear(plain(1.0))))
+}
+
+/// Light goes straight through nothing else in as many ways as through a ball of air under a sky
+/// of one lamp; a body with more facets is not even tried.
+#[test]
+fn too_many_facets_are_refused_at_once() {
+    let sky = flat_disc(Vec3::Z, 90.0, 1.0);
+    for (facets, limit) in
+        [(MAX_THROWER_FACETS, MAX_PASSAGES), (MAX_THROWER_FACETS + 1, MAX_THROWER_FACETS)]
+    {
+        let scene = over_ground(-20.0, vec![ball(facets)], sky.clone());
+        let start = Instant::now();
+        let fault = PackedScene::new(&scene, Bins::new(BINS)).expect_err("too many").to_string();
+        assert!(start.elapsed() < Duration::from_secs(1), "{:?}", start.elapsed());
+        assert!(fault.contains("test") && fault.contains(&limit.to_string()), "{fault}");
+    }
 }

@@ -65,21 +65,15 @@ impl FacetedBody {
     /// and the remedy.
     pub fn of(object: &Object) -> Result<Self, RendererError> {
         let invalid = |fault: String| RendererError::Invalid(format!("{}: {fault}", object.name));
-        let half_spaces = match &object.shape {
+        let body = match &object.shape {
             Shape::Mesh(source) => {
                 source.mesh.closed().map_err(|fault| {
                     invalid(format!("the mesh can't be drawn, since {fault}; close it"))
                 })?;
-                let body = Self::from_mesh(&source.mesh).map_err(invalid)?;
-                return Ok(body.named(object));
+                Self::from_mesh(&source.mesh).map_err(invalid)?
             }
-            Shape::RoundBrilliant(cut) => cut.half_spaces(),
-            Shape::Polyhedron(half_spaces) => Ok(half_spaces.clone()),
+            Shape::RoundBrilliant(_) | Shape::Polyhedron(_) => Self::from_solid(&object.solid()?),
         };
-        let solid = half_spaces
-            .and_then(|half_spaces| Solid::from_half_spaces(&half_spaces))
-            .map_err(|fault| invalid(fault.to_string()))?;
-        let body = Self::from_solid(&solid);
         let facets = body.facets.iter().filter(|facet| !facet.rim.is_empty()).count();
         if facets > Self::MAX_FACETS {
             return Err(invalid(format!(

@@ -11,7 +11,6 @@ use crate::error::RendererError;
 use crate::kernel::ray::GROUND;
 use crate::packed::NONE;
 use crate::scene::{Object, Scene, Shape};
-use crate::solid::Solid;
 
 /// A name that many rays share.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -129,11 +128,9 @@ impl Names {
 /// Names of the facets that are left of an object's half-spaces, in the order in which they are
 /// packed.
 fn facet_names(object: &Object) -> Result<Vec<Name>, RendererError> {
-    let half_spaces = match &object.shape {
-        Shape::Mesh(_) => return Ok(Vec::new()),
-        Shape::RoundBrilliant(cut) => cut.half_spaces()?,
-        Shape::Polyhedron(half_spaces) => half_spaces.clone(),
-    };
-    let solid = Solid::from_half_spaces(&half_spaces)?;
+    if matches!(object.shape, Shape::Mesh(_)) {
+        return Ok(Vec::new());
+    }
+    let solid = object.solid()?;
     Ok(solid.facets.iter().map(|facet| Name::new(&facet.half_space.name)).collect())
 }

@@ -29,8 +29,8 @@ pub fn index_of_refraction(scene: &PackedScene, medium: u32, lambda_nm: f32) -> 
     }
     let position = (lambda_nm - LAMBDA_MIN_NM).clamp(0.0, (INDEX_TABLE_LEN - 1) as f32);
     let i = (position as usize).min(INDEX_TABLE_LEN - 2);
-    let start = medium as usize * INDEX_TABLE_LEN + i;
-    let (n0, n1) = (scene.index_tables[start], scene.index_tables[start + 1]);
+    let start = medium as usize + i;
+    let (n0, n1) = (scene.spectra[start], scene.spectra[start + 1]);
     n0 + (n1 - n0) * (position - i as f32)
 }
 

@@ -33,6 +33,51 @@ pub enum ImageOrigin {
     Mesh(String),
 }
 
+/// What becomes of an image's alpha.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Alpha {
+    /// What is transparent shows white.
+    OverWhite,
+    /// All is opaque.
+    Ignored,
+}
+
+/// The texels that the images of a scene may still have.
+#[derive(Clone, Copy, Debug)]
+pub struct TexelBudget {
+    used: u64,
+    limit: u64,
+}
+
+impl TexelBudget {
+    /// Of so many texels in all.
+    pub fn new(limit: usize) -> Self {
+        Self { used: 0, limit: limit as u64 }
+    }
+
+    /// Takes the texels of an image of `size`.
+    ///
+    /// # Errors
+    /// So many are not left; the text names the limit and the remedy.
+    pub fn take(&mut self, [width, height]: [u32; 2]) -> Result<(), String> {
+        self.used += u64::from(width) * u64::from(height);
+        if self.used <= self.limit {
+            return Ok(());
+        }
+        let Self { used, limit } = self;
+        Err(format!(
+            "with it the images have {used} texels; {limit} are allowed in all, so make them smaller"
+        ))
+    }
+}
+
+impl Default for TexelBudget {
+    /// Of a scene.
+    fn default() -> Self {
+        Self::new(Image::MAX_TEXELS)
+    }
+}
+
 /// Images that ship: the name and the PNG file.
 const LIBRARY: [(&str, &[u8]); 1] =
     [("The word prism", include_bytes!("../../../assets/images/word-prism.png"))];
@@ -45,31 +90,39 @@ impl Image {
     /// Most bytes of an image file.
     pub const MAX_FILE_BYTES: u64 = 1 << 28;
 
-    /// Reads a PNG or JPEG file.
+    /// Reads a PNG or JPEG file; what is transparent shows white.
     ///
     /// # Errors
     /// The file can't be read, is neither, is broken or is too large.
-    pub fn open(path: &Path) -> Result<Self, RendererError> {
+    pub fn open(path: &Path, budget: &mut TexelBudget) -> Result<Self, RendererError> {
         let bytes = whole_file::read(path, Self::MAX_FILE_BYTES)
             .map_err(|source| RendererError::Io { path: path.to_owned(), source })?;
-        Self::decode(ImageOrigin::File(path.to_owned()), &bytes)
+        Self::decode(ImageOrigin::File(path.to_owned()), &bytes, Alpha::OverWhite, budget)
             .map_err(|message| RendererError::File { path: path.to_owned(), message })
     }
 
-    /// Reads the bytes of a PNG or JPEG file. Colours are taken for sRGB, 16 bits are rounded to 8,
-    /// and what is transparent shows white.
+    /// Reads the bytes of a PNG or JPEG file, whose texels are taken from the `budget` before any is
+    /// decoded. Colours are taken for sRGB, and 16 bits are rounded to 8.
     ///
     /// # Errors
     /// What is wrong with the image, and the remedy.
-    pub fn decode(origin: ImageOrigin, bytes: &[u8]) -> Result<Self, String> {
+    pub fn decode(
+        origin: ImageOrigin,
+        bytes: &[u8],
+        alpha: Alpha,
+        budget: &mut TexelBudget,
+    ) -> Result<Self, String> {
         let Ok(format @ (ImageFormat::Png | ImageFormat::Jpeg)) = ::image::guess_format(bytes)
         else {
             return Err("the image is neither PNG nor JPEG; convert it to one of them".into());
         };
-        let pixels = decoded(format, bytes).map_err(|fault| fault_in_words(&fault))?;
-        let pixels = pixels.into_rgba8();
+        let pixels = decoded(format, bytes, budget)?.into_rgba8();
         let size = pixels.dimensions().into();
-        let texels = pixels.pixels().map(|pixel| texel_on_white(pixel.0)).collect();
+        let texel = |[red, green, blue, coverage]: [u8; 4]| match alpha {
+            Alpha::OverWhite => texel_on_white([red, green, blue, coverage]),
+            Alpha::Ignored => u32::from_le_bytes([red, green, blue, 0]),
+        };
+        let texels = pixels.pixels().map(|pixel| texel(pixel.0)).collect();
         Ok(Self { origin, size, texels })
     }
 
@@ -77,7 +130,8 @@ impl Image {
     pub fn of_library(name: &str) -> Option<Arc<Self>> {
         static IMAGES: LazyLock<Vec<Arc<Image>>> = LazyLock::new(|| {
             let decoded = |&(name, bytes): &(&'static str, &[u8])| {
-                Image::decode(ImageOrigin::Library(name), bytes).ok().map(Arc::new)
+                let (origin, budget) = (ImageOrigin::Library(name), &mut TexelBudget::default());
+                Image::decode(origin, bytes, Alpha::OverWhite, budget).ok().map(Arc::new)
             };
             LIBRARY.iter().filter_map(decoded).collect()
         });
@@ -103,7 +157,12 @@ impl Image {
 }
 
 /// The picture as its file says it is to be turned.
-fn decoded(format: ImageFormat, bytes: &[u8]) -> Result<DynamicImage, ImageError> {
+fn decoded(
+    format: ImageFormat,
+    bytes: &[u8],
+    budget: &mut TexelBudget,
+) -> Result<DynamicImage, String> {
+    let in_words = |fault: ImageError| fault_in_words(&fault);
     let mut limits = Limits::no_limits();
     limits.max_image_width = Some(Image::MAX_SIDE);
     limits.max_image_height = Some(Image::MAX_SIDE);
@@ -111,9 +170,10 @@ fn decoded(format: ImageFormat, bytes: &[u8]) -> Result<DynamicImage, ImageError
     limits.max_alloc = Some(16 * u64::from(Image::MAX_SIDE).pow(2));
     let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
     reader.limits(limits);
-    let mut decoder = reader.into_decoder()?;
+    let mut decoder = reader.into_decoder().map_err(in_words)?;
+    budget.take(decoder.dimensions().into())?;
     let orientation = decoder.orientation().unwrap_or(Orientation::NoTransforms);
-    let mut pixels = DynamicImage::from_decoder(decoder)?;
+    let mut pixels = DynamicImage::from_decoder(decoder).map_err(in_words)?;
     pixels.apply_orientation(orientation);
     Ok(pixels)
 }
@@ -163,7 +223,8 @@ mod tests {
     }
 
     fn decode(bytes: &[u8]) -> Result<Image, String> {
-        Image::decode(ImageOrigin::Mesh("test".to_owned()), bytes)
+        let origin = ImageOrigin::Mesh("test".to_owned());
+        Image::decode(origin, bytes, Alpha::OverWhite, &mut TexelBudget::default())
     }
 
     #[test]
@@ -200,6 +261,21 @@ mod tests {
         assert!(decode(&wide).expect_err("too wide").contains("8192 × 8192"));
         let widest = file(&DynamicImage::new_luma8(Image::MAX_SIDE, 1), ImageFormat::Png);
         assert_eq!(decode(&widest).expect("it is read").size, [8192, 1]);
+    }
+
+    /// An image that is too large is refused by its header: its texels are not even there.
+    #[test]
+    fn images_share_a_budget() {
+        let png = file(&DynamicImage::new_luma8(40, 30), ImageFormat::Png);
+        // The signature, the header, and where the texels begin.
+        let header = &png[..8 + 25 + 8];
+        let mut budget = TexelBudget::new(2 * 40 * 30 + 1);
+        let mut read = |bytes: &[u8]| {
+            Image::decode(ImageOrigin::Library("test"), bytes, Alpha::Ignored, &mut budget)
+        };
+        assert!(read(&png).is_ok() && read(&png).is_ok());
+        let fault = read(header).expect_err("it is full");
+        assert!(fault.contains("3600 texels; 2401 are allowed"), "{fault}");
     }
 
     #[test]

@@ -6,7 +6,7 @@ mod library;
 mod print;
 
 pub use dispersion::{Dispersion, SellmeierTerm};
-pub use image::{Image, ImageOrigin};
+pub use image::{Alpha, Image, ImageOrigin, TexelBudget};
 pub use library::{Category, Figures, LibraryMaterial, Measurement, find, library};
 pub use print::{Layout, Outside, Planar, Print};
 

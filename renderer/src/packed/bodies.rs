@@ -48,8 +48,10 @@ pub(super) fn pack(
     let mut mesh_roots = HashMap::new();
     for (object, &material) in scene.objects.iter().zip(materials) {
         check_transform(object)?;
-        check_throwing(object)?;
-        let half_spaces = match &object.shape {
+        object
+            .check_throwing()
+            .map_err(|fault| RendererError::Invalid(format!("{}: {fault}", object.name)))?;
+        bounds.push(match &object.shape {
             Shape::Mesh(source) => {
                 check_mesh(object, &source.mesh)?;
                 let facets = prints.facets(&source.mesh);
@@ -57,16 +59,12 @@ pub(super) fn pack(
                 let root = *mesh_roots
                     .entry((Arc::as_ptr(&source.mesh), facets.is_some()))
                     .or_insert_with(|| bodies.push_mesh(&source.mesh, facets));
-                bounds.push(bodies.push_mesh_instance(root, &source.mesh, object, material));
-                continue;
+                bodies.push_mesh_instance(root, &source.mesh, object, material)
             }
-            Shape::RoundBrilliant(cut) => cut.half_spaces(),
-            Shape::Polyhedron(half_spaces) => Ok(half_spaces.clone()),
-        };
-        let solid = half_spaces
-            .and_then(|half_spaces| Solid::from_half_spaces(&half_spaces))
-            .map_err(|fault| RendererError::Invalid(format!("{}: {fault}", object.name)))?;
-        bounds.push(bodies.push_convex(&solid, object, material));
+            Shape::RoundBrilliant(_) | Shape::Polyhedron(_) => {
+                bodies.push_convex(&object.solid()?, object, material)
+            }
+        });
     }
     bodies.mark_clear_interiors(&bounds, scene.ground.as_ref().map(|ground| ground.height));
     let top = Hierarchy::new(&bounds);
@@ -84,17 +82,6 @@ fn check_transform(object: &Object) -> Result<(), RendererError> {
         "{}: the transform must be finite, with a unit rotation and a scale above 0",
         object.name
     )))
-}
-
-/// Light can be told to go straight through what is clear and known to be convex.
-fn check_throwing(object: &Object) -> Result<(), RendererError> {
-    let fault = match (&object.shape, &object.material) {
-        _ if !object.throws_light => return Ok(()),
-        (Shape::Mesh(_), _) => "a mesh can't throw light: only cuts and polyhedra can",
-        (_, Material::Diffuse(_)) => "it is matte, and only what is clear can throw light",
-        _ => return Ok(()),
-    };
-    Err(RendererError::Invalid(format!("{}: {fault}; switch throws_light off", object.name)))
 }
 
 /// A refracting mesh must enclose a volume.

@@ -19,6 +19,8 @@ use crate::solid::Solid;
 
 /// Most passages of a scene. Every point of a matte surface asks them all, at some 10 ns each.
 pub const MAX_PASSAGES: usize = 8192;
+/// Most facets of a body that throws light: all pairs are tried.
+pub const MAX_THROWER_FACETS: usize = 256;
 
 /// Nanometres between the wavelengths that are tried.
 const LAMBDA_STEP_NM: usize = 35;
@@ -90,23 +92,31 @@ pub(super) fn pack(
     throwers: &[Thrower],
     materials: &PackedMaterials,
 ) -> Result<Vec<PackedPassage>, RendererError> {
+    for thrower in throwers {
+        check_facets(thrower)?;
+    }
     let mut passages = Vec::new();
     for disc in discs {
         disc.first_passage = passages.len() as u32;
         for thrower in throwers {
             let indices = materials.indices_of(thrower.material);
-            add_passages(&mut passages, disc, thrower, indices);
-            if passages.len() > MAX_PASSAGES {
-                return Err(RendererError::Invalid(format!(
-                    "{}: with it there are more than {MAX_PASSAGES} ways for the lamps' light straight \
-                     through bodies that throw light; let fewer throw light, or use fewer lamps",
-                    thrower.name
-                )));
-            }
+            add_passages(&mut passages, disc, thrower, indices)?;
         }
         disc.passage_count = passages.len() as u32 - disc.first_passage;
     }
     Ok(passages)
+}
+
+fn check_facets(thrower: &Thrower) -> Result<(), RendererError> {
+    let count = thrower.facets.len();
+    if count <= MAX_THROWER_FACETS {
+        return Ok(());
+    }
+    Err(RendererError::Invalid(format!(
+        "{}: it has {count} facets, and what throws light may have {MAX_THROWER_FACETS}; switch \
+         throws_light off, or give it fewer facets",
+        thrower.name
+    )))
 }
 
 /// Light of one wavelength inside a body.
@@ -120,7 +130,7 @@ fn add_passages(
     disc: &PackedDisc,
     thrower: &Thrower,
     indices: &[f32],
-) {
+) -> Result<(), RendererError> {
     let (towards_light, ring_step) = directions(disc);
     let margin_mm = thrower.size_mm * (BETWEEN_SAMPLES * ring_step + BETWEEN_WAVELENGTHS);
     for (facet_in, entry) in thrower.facets.iter().enumerate() {
@@ -133,12 +143,27 @@ fn add_passages(
                 })
             })
             .collect();
+        let inside: Vec<_> = light.iter().map(|light| light.direction).collect();
+        // All of it at once runs along one direction, and drifts at most so far from that in the body.
+        let shaft = Cone::around(&inside, -entry.normal, 0.0);
+        let drift = if shaft.cos_bound > 0.0 { shaft.sin_bound } else { 1.0 };
+        let drift_mm = margin_mm + thrower.size_mm * drift;
         for (facet_out, exit) in thrower.facets.iter().enumerate() {
+            if facet_in == facet_out || !entry.shines_on(exit, shaft.direction, drift_mm) {
+                continue;
+            }
             let arrives = light.iter().any(|light| {
                 gets_out(light, exit) && entry.shines_on(exit, light.direction, margin_mm)
             });
-            if facet_in == facet_out || !arrives {
+            if !arrives {
                 continue;
+            }
+            if passages.len() == MAX_PASSAGES {
+                return Err(RendererError::Invalid(format!(
+                    "{}: with it there are more than {MAX_PASSAGES} ways for the lamps' light straight \
+                     through bodies that throw light; let fewer throw light, or use fewer lamps",
+                    thrower.name
+                )));
             }
             let cone = Cone::behind(&light, exit, ring_step);
             passages.push(PackedPassage {
@@ -158,6 +183,7 @@ fn add_passages(
             });
         }
     }
+    Ok(())
 }
 
 /// Whether the light is refracted at the facet that it reaches.
@@ -187,7 +213,7 @@ fn directions(disc: &PackedDisc) -> (Vec<Vec3>, f32) {
     (directions, step)
 }
 
-/// A cone that holds the directions in which a passage's light is seen from behind.
+/// A cone that holds directions; one that is no narrower than a half-space holds all.
 struct Cone {
     direction: Vec3,
     cos_bound: f32,
@@ -195,6 +221,17 @@ struct Cone {
 }
 
 impl Cone {
+    /// A tenth and `margin_radians` wider than `directions`; about `axis` where they have no middle.
+    fn around(directions: &[Vec3], axis: Vec3, margin_radians: f32) -> Self {
+        let direction = directions.iter().sum::<Vec3>().normalize_or(axis);
+        let angles = directions.iter().map(|other| other.angle_between(direction));
+        let bound = 1.1 * angles.fold(0.0, f32::max) + margin_radians;
+        let (sin_bound, cos_bound) = if bound < 0.25 * TAU { bound.sin_cos() } else { (0.0, 0.0) };
+        Self { direction, cos_bound, sin_bound }
+    }
+
+    /// The directions in which a passage's light is seen from behind.
+    ///
     /// Where some of the light is totally reflected, the cone reaches down to the facet: in between
     /// there is light that leaves along it.
     fn behind(light: &[Inside], exit: &Polygon, ring_step: f32) -> Self {
@@ -203,10 +240,6 @@ impl Cone {
             .filter(|light| light.direction.dot(exit.normal) > 0.0)
             .map(|light| -refract(light.direction, -exit.normal, light.n))
             .collect();
-        let direction = seen.iter().sum::<Vec3>().normalize_or(exit.normal);
-        let widest = seen.iter().map(|seen| seen.angle_between(direction)).fold(0.0, f32::max);
-        let bound = 1.1 * widest + 0.1 * ring_step + 0.5 * BETWEEN_WAVELENGTHS;
-        let (sin_bound, cos_bound) = if bound < 0.25 * TAU { bound.sin_cos() } else { (0.0, 0.0) };
-        Self { direction, cos_bound, sin_bound }
+        Self::around(&seen, exit.normal, 0.1 * ring_step + 0.5 * BETWEEN_WAVELENGTHS)
     }
 }

@@ -11,7 +11,7 @@ use super::unwrapped::UnwrappedMesh;
 use super::{NONE, PackedPrint};
 use crate::color::srgb_decode;
 use crate::error::RendererError;
-use crate::material::{Image, Layout, Planar, Print};
+use crate::material::{Image, Layout, Planar, Print, TexelBudget};
 use crate::mesh::Mesh;
 use crate::scene::{Object, Shape};
 use crate::spectrum::Spectrum;
@@ -34,7 +34,7 @@ pub(super) struct PrintWords {
     /// Of meshes with an image on them: the first word of the projections, and the facet that each
     /// triangle belongs to.
     unwrapped: HashMap<*const Mesh, (u32, Vec<u32>)>,
-    texel_count: usize,
+    budget: TexelBudget,
 }
 
 impl PrintWords {
@@ -46,7 +46,7 @@ impl PrintWords {
             shared: None,
             images: HashMap::new(),
             unwrapped: HashMap::new(),
-            texel_count: 0,
+            budget: TexelBudget::default(),
         }
     }
 
@@ -117,7 +117,6 @@ impl PrintWords {
             return Ok(first);
         }
         let [width, height] = image.size;
-        self.texel_count += image.texels.len();
         if image.texels.is_empty()
             || image.texels.len() as u64 != u64::from(width) * u64::from(height)
         {
@@ -126,14 +125,7 @@ impl PrintWords {
                 image.name()
             ));
         }
-        if self.texel_count > Image::MAX_TEXELS {
-            return Err(format!(
-                "with {} the images have {} texels; {} are allowed in all, so make them smaller",
-                image.name(),
-                self.texel_count,
-                Image::MAX_TEXELS
-            ));
-        }
+        self.budget.take(image.size)?;
         let first = self.next();
         self.words.extend_from_slice(&image.texels);
         self.images.insert(Arc::as_ptr(image), first);

@@ -61,7 +61,7 @@ impl SpectrumRows {
     }
 }
 
-/// The different materials of a scene.
+/// The different materials of a scene; their index tables are still apart from the spectra.
 pub(super) struct PackedMaterials {
     pub(super) materials: Vec<PackedMaterial>,
     pub(super) index_tables: Vec<f32>,
@@ -72,8 +72,17 @@ pub(super) struct PackedMaterials {
 impl PackedMaterials {
     /// n(λ) of a clear material at every nm.
     pub(super) fn indices_of(&self, material: u32) -> &[f32] {
-        let start = self.materials[material as usize].index_table as usize * INDEX_TABLE_LEN;
+        let start = self.materials[material as usize].index_table as usize;
         &self.index_tables[start..start + INDEX_TABLE_LEN]
+    }
+
+    /// The materials, with their index tables behind `rows`.
+    pub(super) fn behind(mut self, mut rows: Vec<f32>) -> (Vec<PackedMaterial>, Vec<f32>) {
+        for material in self.materials.iter_mut().filter(|material| !material.is_opaque()) {
+            material.index_table += rows.len() as u32;
+        }
+        rows.extend(self.index_tables);
+        (self.materials, rows)
     }
 }
 
@@ -133,7 +142,7 @@ fn pack_dielectric(
     dielectric.dispersion.validate().map_err(|fault| {
         RendererError::Invalid(format!("{object}: material {}: {fault}", dielectric.name))
     })?;
-    let index_table = (index_tables.len() / INDEX_TABLE_LEN) as u32;
+    let index_table = index_tables.len() as u32;
     index_tables.extend((0..INDEX_TABLE_LEN).map(|i| {
         let lambda_nm = f64::from(LAMBDA_MIN_NM) + i as f64;
         dielectric.dispersion.n(lambda_nm) as f32

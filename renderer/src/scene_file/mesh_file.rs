@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use super::fault::Fault;
 use super::path::relative;
 use crate::import::gltf::{self, GltfObject};
-use crate::material::Material;
+use crate::material::{Material, TexelBudget};
 use crate::scene::MeshSource;
 
 /// A mesh as written: the glTF file, relative to the scene file, and which of its meshes.
@@ -25,6 +25,7 @@ pub(super) struct MeshEntry {
 /// The glTF files of one scene, each read once.
 pub(super) struct MeshFiles<'a> {
     base: &'a Path,
+    /// By their canonical paths.
     files: BTreeMap<PathBuf, Vec<GltfObject>>,
 }
 
@@ -34,13 +35,20 @@ impl<'a> MeshFiles<'a> {
         Self { base, files: BTreeMap::new() }
     }
 
-    /// The mesh, and the material that it has in its own file.
-    pub(super) fn read(&mut self, entry: &MeshEntry) -> Result<(MeshSource, Material), Fault> {
+    /// The mesh, and the material that it has in its own file, whose images are taken from the
+    /// `budget`.
+    pub(super) fn read(
+        &mut self,
+        entry: &MeshEntry,
+        budget: &mut TexelBudget,
+    ) -> Result<(MeshSource, Material), Fault> {
         let path = self.base.join(&entry.file);
-        let objects = match self.files.entry(path.clone()) {
+        let key = path.canonicalize().unwrap_or_else(|_| path.clone());
+        let objects = match self.files.entry(key) {
             Occupied(file) => file.into_mut(),
             Vacant(place) => {
-                let scene = gltf::load(&path).map_err(|e| Fault::at("file", e.to_string()))?;
+                let scene = gltf::load_within(&path, budget)
+                    .map_err(|error| Fault::at("file", error.to_string()))?;
                 place.insert(scene.objects)
             }
         };

@@ -88,7 +88,7 @@ impl ObjectEntry {
             }
             (_, Some(entry), _) => (Shape::Polyhedron(entry.read().under("polyhedron")?), None),
             (_, _, Some(entry)) => {
-                let (source, material) = meshes.read(&entry).under("mesh")?;
+                let (source, material) = meshes.read(&entry, &mut images.budget).under("mesh")?;
                 (Shape::Mesh(source), Some(material))
             }
             (None, None, None) => return Err(Fault::new("the object has no shape")),
@@ -99,17 +99,15 @@ impl ObjectEntry {
             .or(own_material)
             .ok_or_else(|| Fault::at("material", "this key is missing"))?;
         refuse_open_stone(&shape, &material)?;
-        let throws_light = self.throws_light.unwrap_or(false);
-        if throws_light {
-            refuse_thrower(&shape, &material)?;
-        }
-        Ok(Object {
+        let object = Object {
             name: self.name.unwrap_or_else(|| format!("Object {}", index + 1)),
             shape,
             transform,
             material,
-            throws_light,
-        })
+            throws_light: self.throws_light.unwrap_or(false),
+        };
+        object.check_throwing().map_err(|fault| Fault::at("throws_light", fault))?;
+        Ok(object)
     }
 
     /// Paths are written relative to `base`.
@@ -152,16 +150,6 @@ fn refuse_open_stone(shape: &Shape, material: &Material) -> Result<(), Fault> {
         }),
         _ => Ok(()),
     }
-}
-
-/// Only through what is clear and known to be convex can light be followed straight.
-fn refuse_thrower(shape: &Shape, material: &Material) -> Result<(), Fault> {
-    let remedy = match (shape, material) {
-        (Shape::Mesh(_), _) => "a mesh can't throw light, only a round_brilliant or a polyhedron",
-        (_, Material::Diffuse(_)) => "a diffuse object can't throw light; make it clear",
-        _ => return Ok(()),
-    };
-    Err(Fault::at("throws_light", remedy))
 }
 
 impl RotationEntry {

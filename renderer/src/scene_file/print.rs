@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use super::check::{choose, exactly_one, in_range, unit_vector};
 use super::fault::{Fault, Under, quoted, suggestion};
 use super::path::relative;
-use crate::material::{Image, ImageOrigin, Layout, Outside, Planar, Print};
+use crate::material::{Image, ImageOrigin, Layout, Outside, Planar, Print, TexelBudget};
 
 /// A print as written: the image by `file` or `library`, its size and how it lies on the body.
 #[derive(Deserialize, Serialize)]
@@ -44,32 +44,28 @@ const SIDE_MM: RangeInclusive<f32> = 1e-3..=1e6;
 /// The image files of one scene, each read once.
 pub(super) struct ImageFiles<'a> {
     base: &'a Path,
+    /// By their canonical paths.
     files: BTreeMap<PathBuf, Arc<Image>>,
-    texel_count: usize,
+    /// Of all images of the scene, those of its meshes too.
+    pub(super) budget: TexelBudget,
 }
 
 impl<'a> ImageFiles<'a> {
     /// Paths start from the folder `base`.
     pub(super) fn new(base: &'a Path) -> Self {
-        Self { base, files: BTreeMap::new(), texel_count: 0 }
+        Self { base, files: BTreeMap::new(), budget: TexelBudget::default() }
     }
 
     fn read(&mut self, file: &str) -> Result<Arc<Image>, Fault> {
         let path = self.base.join(file);
-        if let Some(image) = self.files.get(&path) {
+        let key = path.canonicalize().unwrap_or_else(|_| path.clone());
+        if let Some(image) = self.files.get(&key) {
             return Ok(Arc::clone(image));
         }
-        let image = Image::open(&path).map_err(|error| Fault::new(error.to_string()))?;
-        self.texel_count += image.texels.len();
-        if self.texel_count > Image::MAX_TEXELS {
-            return Err(Fault::new(format!(
-                "with it the images have {} texels; {} are allowed in all, so make them smaller",
-                self.texel_count,
-                Image::MAX_TEXELS
-            )));
-        }
+        let image =
+            Image::open(&path, &mut self.budget).map_err(|error| Fault::new(error.to_string()))?;
         let image = Arc::new(image);
-        self.files.insert(path, Arc::clone(&image));
+        self.files.insert(key, Arc::clone(&image));
         Ok(image)
     }
 }

@@ -14,9 +14,9 @@ fn index_of_refraction(medium: u32, lambda_nm: f32) -> f32 {
     }
     let position = clamp(lambda_nm - LAMBDA_MIN_NM, 0.0, f32(INDEX_TABLE_LEN - 1u));
     let i = min(u32(position), INDEX_TABLE_LEN - 2u);
-    let start = medium * INDEX_TABLE_LEN + i;
-    let n0 = index_tables[start];
-    let n1 = index_tables[start + 1u];
+    let start = medium + i;
+    let n0 = spectra[start];
+    let n1 = spectra[start + 1u];
     return n0 + (n1 - n0) * (position - f32(i));
 }
 

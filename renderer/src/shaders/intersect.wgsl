@@ -120,7 +120,9 @@ fn meet_ground(ray: Ray) -> Hit {
     let height = frame.ground.height - ray.origin.z;
     // What leaves a body that rests on the ground starts on it, or a rounding error below.
     let is_touching = ray.direction.z < 0.0 && abs(height) < TOUCHING_MM;
-    let is_ahead = height * ray.direction.z > 0.0;
+    // So does what goes up inside it.
+    let is_resting = ray.medium != NONE && ray.direction.z > 0.0 && height < TOUCHING_MM;
+    let is_ahead = height * ray.direction.z > 0.0 && !is_resting;
     if !is_touching && !is_ahead {
         return MISS;
     }

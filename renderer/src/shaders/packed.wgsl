@@ -128,10 +128,9 @@ struct Frame {
 @group(0) @binding(4) var<storage, read> nodes: array<BvhNode>;
 @group(0) @binding(5) var<storage, read> triangles: array<PackedTriangle>;
 @group(0) @binding(6) var<storage, read> materials: array<PackedMaterial>;
-@group(0) @binding(7) var<storage, read> index_tables: array<f32>;
-@group(0) @binding(8) var<storage, read> spectra: array<f32>;
-@group(0) @binding(9) var<storage, read> discs: array<PackedDisc>;
-@group(0) @binding(10) var<storage, read> passages: array<PackedPassage>;
+@group(0) @binding(7) var<storage, read> spectra: array<f32>;
+@group(0) @binding(8) var<storage, read> discs: array<PackedDisc>;
+@group(0) @binding(9) var<storage, read> passages: array<PackedPassage>;
 // No uniform: Mesa's software device compiles a kernel anew for each content of one.
 @group(1) @binding(0) var<storage, read> frame: Frame;
 

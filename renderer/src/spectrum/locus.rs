@@ -13,6 +13,10 @@ const LONGEST_OF_ITS_OWN_NM: u32 = 700;
 /// Least distance in x, y from white at which a colour has a hue to speak of.
 const LEAST_CHROMA: f64 = 1e-3;
 
+/// Share of a line by which rounding may put a meeting point beyond its end: without it a ray through
+/// a corner could slip between two lines.
+const ROUNDING: f64 = 1e-9;
+
 /// Each whole nanometre and its chromaticity x, y.
 static LOCUS_XY: LazyLock<Vec<(f64, DVec2)>> = LazyLock::new(|| {
     let lambdas_nm = (LAMBDA_MIN_NM as u32..=LONGEST_OF_ITS_OWN_NM).map(f64::from);
@@ -74,5 +78,6 @@ fn meet(origin: DVec2, direction: DVec2, start: DVec2, end: DVec2) -> Option<(f6
     }
     let reach = (start - origin).perp_dot(along) / determinant;
     let share = (start - origin).perp_dot(direction) / determinant;
-    (reach > 0.0 && (0.0..=1.0).contains(&share)).then_some((reach, share))
+    let is_on_it = (-ROUNDING..=1.0 + ROUNDING).contains(&share);
+    (reach > 0.0 && is_on_it).then(|| (reach, share.clamp(0.0, 1.0)))
 }

@@ -21,7 +21,7 @@ const READ: BufferBindingType = BufferBindingType::Storage { read_only: true };
 const WRITE: BufferBindingType = BufferBindingType::Storage { read_only: false };
 /// What is bound, group by group.
 const GROUPS: [&[BufferBindingType]; 3] =
-    [&[READ; 11], &[READ, WRITE, WRITE], &[READ, READ, WRITE]];
+    [&[READ; 10], &[READ, WRITE, WRITE], &[READ, READ, WRITE]];
 
 /// One device for all tests. A machine without any fails the test rather than passing it unseen.
 fn graphics() -> &'static Graphics {
@@ -94,7 +94,6 @@ impl Shader {
             storage(&scene.nodes),
             storage(&scene.triangles),
             storage(&scene.materials),
-            storage(&scene.index_tables),
             storage(&scene.spectra),
             storage(&scene.discs),
             storage(&scene.passages),

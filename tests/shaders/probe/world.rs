@@ -1,5 +1,6 @@
 //! Scenes to probe the kernel in.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -15,7 +16,7 @@ use brilliance_renderer::material::{
     Dielectric, Diffuse, Dispersion, Image, ImageOrigin, Layout, Material, Outside, Planar, Print,
 };
 use brilliance_renderer::mesh::Mesh;
-use brilliance_renderer::packed::{INDEX_TABLE_LEN, NONE, PackedScene, PackedSky};
+use brilliance_renderer::packed::{NONE, PackedScene, PackedSky};
 use brilliance_renderer::scene::{Ground, MeshSource, Object, Scene, Shape, Transform};
 use brilliance_renderer::solid::{HalfSpace, Solid};
 use brilliance_renderer::spectrum::{Bins, Illuminant, Spectrum};
@@ -165,8 +166,14 @@ impl World {
 
     /// The index tables, and air.
     pub(crate) fn media(&self) -> Vec<u32> {
-        let count = (self.scene.index_tables.len() / INDEX_TABLE_LEN) as u32;
-        (0..count).chain([NONE]).collect()
+        let tables: BTreeSet<_> = self.scene.materials.iter().map(|it| it.index_table).collect();
+        tables.into_iter().filter(|table| *table != NONE).chain([NONE]).collect()
+    }
+
+    /// The number of rows of spectra.
+    pub(crate) fn rows(&self) -> usize {
+        let end = self.media()[0].min(self.scene.spectra.len() as u32);
+        end as usize / self.scene.bins.count()
     }
 
     /// The materials that absorb.

@@ -27,7 +27,7 @@ pub(super) fn table() -> Table {
                 },
                 cases: |world| {
                     let bins = world.scene.bins.count();
-                    let rows = world.scene.spectra.len() / bins;
+                    let rows = world.rows();
                     throw(200, |dice| {
                         let printed = Reflectance {
                             primaries: dice.below(rows - 2) as u32,
@@ -70,7 +70,7 @@ fn reflectance(dice: &mut Dice, rows: usize) -> Reflectance {
 }
 
 fn deposits_in_twos(world: &World) -> Vec<Case> {
-    let rows = world.scene.spectra.len() / world.scene.bins.count();
+    let rows = world.rows();
     throw(600, |dice| {
         let mut case = Case::new().u32(0).u32(0);
         for _ in 0..2 {

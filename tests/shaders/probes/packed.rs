@@ -56,7 +56,7 @@ pub(super) fn table() -> Table {
                 },
                 cases: |world| {
                     let bins = world.scene.bins.count();
-                    let rows = world.scene.spectra.len() / bins;
+                    let rows = world.rows();
                     throw(100, |dice| {
                         Case::new().u32(dice.below(rows) as u32).u32(dice.below(bins) as u32)
                     })

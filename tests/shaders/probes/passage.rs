@@ -122,8 +122,9 @@ fn gain() -> Probe {
         cases: |world| {
             let mut cases = Vec::new();
             let mut dice = Dice::new(53);
+            let medium = world.media()[0];
             for _ in 0..500 {
-                let n = index_of_refraction(&world.scene, 0, dice.between(380.0, 730.0));
+                let n = index_of_refraction(&world.scene, medium, dice.between(380.0, 730.0));
                 cases.push(Case::new().f32(dice.between(0.0, 1.0)).f32(1.0 / n));
                 let critical = (1.0 - 1.0 / (n * n)).sqrt();
                 cases.push(Case::new().f32(dice.between(critical + 1e-3, 1.0)).f32(n));

@@ -5,7 +5,8 @@ use std::path::{Component, Path, PathBuf};
 
 use gltf::json;
 
-use super::container::read_file;
+use super::container::MAX_FILE_BYTES;
+use crate::whole_file;
 
 /// Most bytes of all external buffers together.
 const MAX_EXTERNAL_BYTES: usize = 1 << 32;
@@ -29,7 +30,7 @@ impl<'a> Buffers<'a> {
                     Cow::Owned(data_uri(uri).map_err(place)?)
                 }
                 (Some(uri), _) => {
-                    let bytes = file_uri(uri, folder).map_err(place)?;
+                    let bytes = file_uri(uri, folder, MAX_FILE_BYTES).map_err(place)?;
                     external += bytes.len();
                     Cow::Owned(bytes)
                 }
@@ -71,15 +72,15 @@ impl<'a> Buffers<'a> {
     }
 }
 
-/// The bytes of a file beside the document.
-pub(super) fn file_uri(uri: &str, folder: &Path) -> Result<Vec<u8>, String> {
+/// The bytes of a file beside the document, of at most `max_bytes` bytes.
+pub(super) fn file_uri(uri: &str, folder: &Path, max_bytes: u64) -> Result<Vec<u8>, String> {
     let decoded = percent_decoded(uri)?;
     let path = PathBuf::from(&decoded);
     let leaves_root = |part: Component| matches!(part, Component::Prefix(_) | Component::RootDir);
     if decoded.contains(':') || path.components().any(leaves_root) {
         return Err(format!("'{uri}' is not a relative path; put the file beside the glTF"));
     }
-    read_file(&folder.join(path)).map_err(|fault| format!("'{decoded}': {fault}"))
+    whole_file::read(&folder.join(path), max_bytes).map_err(|fault| format!("'{decoded}': {fault}"))
 }
 
 fn percent_decoded(uri: &str) -> Result<String, String> {

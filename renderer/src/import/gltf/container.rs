@@ -8,7 +8,7 @@ use gltf::json;
 use crate::whole_file;
 
 /// Largest file that is read, in bytes.
-const MAX_FILE_BYTES: u64 = 1 << 32;
+pub(super) const MAX_FILE_BYTES: u64 = 1 << 32;
 
 /// Extensions a file may require. Those on materials and textures alone never change the geometry
 /// and are accepted beside these.

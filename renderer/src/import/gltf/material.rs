@@ -1,10 +1,12 @@
 //! Materials: the KHR extensions of clear solids, and base colours of everything else.
 
 use gltf::json;
+use json::material::AlphaMode;
 use json::texture::Info;
+use json::validation::Checked;
 
 use super::texture::Images;
-use crate::material::{Dielectric, Diffuse, Dispersion, Material};
+use crate::material::{Alpha, Dielectric, Diffuse, Dispersion, Material};
 use crate::spectrum::{Bins, Spectrum};
 
 /// The Fraunhofer lines of the Abbe number, in nm.
@@ -84,7 +86,11 @@ fn diffuse(images: &mut Images, material: &json::Material) -> Result<Diffuse, St
     let Some(texture) = &base.base_color_texture else {
         return Ok(Diffuse { reflectance: Spectrum::Rgb(factor), print: None });
     };
-    let print = images.print(texture, factor)?;
+    let alpha = match material.alpha_mode {
+        Checked::Valid(AlphaMode::Mask | AlphaMode::Blend) => Alpha::OverWhite,
+        Checked::Valid(AlphaMode::Opaque) | Checked::Invalid => Alpha::Ignored,
+    };
+    let print = images.print(texture, alpha, factor)?;
     Ok(Diffuse { reflectance: Spectrum::Flat(1.0), print: Some(print) })
 }
 

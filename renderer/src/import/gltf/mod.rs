@@ -31,7 +31,7 @@ use gltf::json;
 use crate::camera::Camera;
 use crate::error::RendererError;
 use crate::light::DiscLight;
-use crate::material::Material;
+use crate::material::{Material, TexelBudget};
 use crate::mesh::Mesh;
 use accessor::Accessors;
 use buffers::Buffers;
@@ -71,9 +71,17 @@ pub struct GltfObject {
 /// extension, or gives a refracting material to a mesh that is not closed. The text names the file,
 /// the place in it and the remedy.
 pub fn load(path: &Path) -> Result<GltfScene, RendererError> {
+    load_within(path, &mut TexelBudget::default())
+}
+
+/// Reads the file at `path` as one of several, whose images have one `budget`.
+///
+/// # Errors
+/// As [`load`].
+pub fn load_within(path: &Path, budget: &mut TexelBudget) -> Result<GltfScene, RendererError> {
     let file = container::read_file(path)
         .map_err(|source| RendererError::Io { path: path.to_owned(), source })?;
-    load_from_memory(path, &file)
+    parse(path, &file, budget)
 }
 
 /// Reads a file that is in memory already. `path` names it in errors and is where the buffers are
@@ -82,15 +90,22 @@ pub fn load(path: &Path) -> Result<GltfScene, RendererError> {
 /// # Errors
 /// As [`load`].
 pub fn load_from_memory(path: &Path, file: &[u8]) -> Result<GltfScene, RendererError> {
-    let folder = path.parent().unwrap_or(Path::new(""));
-    read(file, folder).map_err(|message| RendererError::File { path: path.to_owned(), message })
+    parse(path, file, &mut TexelBudget::default())
 }
 
-fn read(file: &[u8], folder: &Path) -> Result<GltfScene, String> {
+fn parse(path: &Path, file: &[u8], budget: &mut TexelBudget) -> Result<GltfScene, RendererError> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    read(file, folder, budget)
+        .map_err(|message| RendererError::File { path: path.to_owned(), message })
+}
+
+fn read(file: &[u8], folder: &Path, budget: &mut TexelBudget) -> Result<GltfScene, String> {
     let (root, blob) = container::parse(file)?;
     let buffers = Buffers::load(&root, blob, folder)?;
     let worlds = nodes::world_transforms(&root)?;
-    let objects = objects(&root, &buffers, folder, &worlds)?;
+    let accessors = Accessors::new(&root, &buffers);
+    let mut images = Images::new(&root, &accessors, folder, budget);
+    let objects = objects(&root, &accessors, &mut images, &worlds)?;
     if objects.is_empty() {
         return Err("its scene has no mesh; export the stone with its triangles".to_owned());
     }
@@ -104,13 +119,11 @@ fn read(file: &[u8], folder: &Path) -> Result<GltfScene, String> {
 
 fn objects(
     root: &json::Root,
-    buffers: &Buffers,
-    folder: &Path,
+    accessors: &Accessors,
+    images: &mut Images,
     worlds: &[Option<DMat4>],
 ) -> Result<Vec<GltfObject>, String> {
     check_effort(root, worlds)?;
-    let accessors = Accessors::new(root, buffers);
-    let mut images = Images::new(root, &accessors, folder);
     let mut objects = Vec::new();
     for (index, (node, world)) in root.nodes.iter().zip(worlds).enumerate() {
         let (Some(world), Some(mesh)) = (world, node.mesh) else { continue };
@@ -119,11 +132,11 @@ fn objects(
         })?;
         let name = node.name.clone().or_else(|| mesh.name.clone());
         let name = name.unwrap_or_else(|| format!("node {index}"));
-        let surfaces = surface::surfaces(root, &accessors, mesh)
+        let surfaces = surface::surfaces(root, accessors, mesh)
             .map_err(|fault| format!("node '{name}': {fault}"))?;
         let names = object_names(&name, surfaces.len());
         for (name, surface) in names.zip(surfaces) {
-            objects.push(object(root, &mut images, name, *world, surface)?);
+            objects.push(object(root, images, name, *world, surface)?);
         }
     }
     Ok(objects)

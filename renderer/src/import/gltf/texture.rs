@@ -1,5 +1,6 @@
 //! Base colour textures: images, how they are continued, and by which coordinates they lie.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 use std::path::Path;
 use std::sync::Arc;
@@ -11,7 +12,7 @@ use json::validation::Checked;
 
 use super::accessor::Accessors;
 use super::buffers::{data_uri, file_uri};
-use crate::material::{Image, ImageOrigin, Layout, Outside, Print};
+use crate::material::{Alpha, Image, ImageOrigin, Layout, Outside, Print, TexelBudget};
 
 /// Which of a mesh's texture coordinates a texture lies by, and what becomes of them first.
 #[derive(Clone, Copy, Debug)]
@@ -49,8 +50,8 @@ pub(super) struct Images<'a> {
     root: &'a json::Root,
     accessors: &'a Accessors<'a>,
     folder: &'a Path,
-    decoded: HashMap<usize, Arc<Image>>,
-    texel_count: usize,
+    budget: &'a mut TexelBudget,
+    decoded: HashMap<(usize, Alpha), Arc<Image>>,
 }
 
 impl<'a> Images<'a> {
@@ -59,12 +60,18 @@ impl<'a> Images<'a> {
         root: &'a json::Root,
         accessors: &'a Accessors<'a>,
         folder: &'a Path,
+        budget: &'a mut TexelBudget,
     ) -> Self {
-        Self { root, accessors, folder, decoded: HashMap::new(), texel_count: 0 }
+        Self { root, accessors, folder, budget, decoded: HashMap::new() }
     }
 
     /// The texture as a print, each texel multiplied by `tint`.
-    pub(super) fn print(&mut self, texture: &Info, tint: [f32; 3]) -> Result<Print, String> {
+    pub(super) fn print(
+        &mut self,
+        texture: &Info,
+        alpha: Alpha,
+        tint: [f32; 3],
+    ) -> Result<Print, String> {
         let index = texture.index.value();
         let missing = |what: &str| format!("texture {index} {what}; export again");
         let texture =
@@ -78,12 +85,12 @@ impl<'a> Images<'a> {
                 [outside(sampler.wrap_s), outside(sampler.wrap_t)]
             }
         };
-        let image = self.image(texture.source.value())?;
+        let image = self.image(texture.source.value(), alpha)?;
         Ok(Print { image, layout: Layout::Coordinates, outside, tint })
     }
 
-    fn image(&mut self, index: usize) -> Result<Arc<Image>, String> {
-        if let Some(image) = self.decoded.get(&index) {
+    fn image(&mut self, index: usize, alpha: Alpha) -> Result<Arc<Image>, String> {
+        if let Some(image) = self.decoded.get(&(index, alpha)) {
             return Ok(Arc::clone(image));
         }
         let json = self.root.images.get(index).ok_or_else(|| {
@@ -92,25 +99,22 @@ impl<'a> Images<'a> {
         let named = json.name.clone().filter(|name| !name.is_empty());
         let name = named.or_else(|| json.uri.clone().filter(|uri| !uri.starts_with("data:")));
         let name = name.unwrap_or_else(|| format!("image {index}"));
-        let image = self.decode(json, &name).map_err(|fault| format!("image '{name}': {fault}"))?;
-        self.texel_count += image.texels.len();
-        if self.texel_count > Image::MAX_TEXELS {
-            return Err(format!(
-                "its images have more than {} texels; make them smaller",
-                Image::MAX_TEXELS
-            ));
-        }
+        let origin = ImageOrigin::Mesh(name.clone());
+        let image = self
+            .bytes(json)
+            .and_then(|bytes| Image::decode(origin, &bytes, alpha, self.budget))
+            .map_err(|fault| format!("image '{name}': {fault}"))?;
         let image = Arc::new(image);
-        self.decoded.insert(index, Arc::clone(&image));
+        self.decoded.insert((index, alpha), Arc::clone(&image));
         Ok(image)
     }
 
-    fn decode(&self, image: &json::Image, name: &str) -> Result<Image, String> {
-        let origin = ImageOrigin::Mesh(name.to_owned());
+    /// The image's file.
+    fn bytes(&self, image: &json::Image) -> Result<Cow<'a, [u8]>, String> {
         match (&image.uri, image.buffer_view) {
-            (Some(uri), _) if uri.starts_with("data:") => Image::decode(origin, &data_uri(uri)?),
-            (Some(uri), _) => Image::decode(origin, &file_uri(uri, self.folder)?),
-            (None, Some(view)) => Image::decode(origin, self.accessors.view(view.value())?),
+            (Some(uri), _) if uri.starts_with("data:") => data_uri(uri).map(Cow::Owned),
+            (Some(uri), _) => file_uri(uri, self.folder, Image::MAX_FILE_BYTES).map(Cow::Owned),
+            (None, Some(view)) => self.accessors.view(view.value()).map(Cow::Borrowed),
             (None, None) => Err("it has neither URI nor buffer view; export again".to_owned()),
         }
     }

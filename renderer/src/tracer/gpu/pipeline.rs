@@ -14,8 +14,8 @@ use crate::shaders::{Constant, KERNEL, WALKERS, append, join, print};
 
 /// Walkers of a workgroup.
 pub(super) const WORKGROUP_SIZE: u32 = 64;
-/// Arrays of a scene.
-pub(super) const SCENE_BUFFERS: u32 = 11;
+/// Arrays of a scene. With those of the work there are 16, and many devices take no more.
+pub(super) const SCENE_BUFFERS: u32 = 10;
 /// The frame, the stack and the radiance; the film, the walkers and the progress.
 const WORK_BUFFERS: u32 = 6;
 

@@ -54,8 +54,7 @@ impl GpuScene {
             upload(graphics, "hierarchies of triangles", &scene.nodes)?,
             upload(graphics, "triangles", &scene.triangles)?,
             upload(graphics, "materials", &scene.materials)?,
-            upload(graphics, "indices of refraction", &scene.index_tables)?,
-            upload(graphics, "spectra", &scene.spectra)?,
+            upload(graphics, "spectra and indices of refraction", &scene.spectra)?,
             upload(graphics, "lights", &scene.discs)?,
             upload(graphics, "passages of light", &scene.passages)?,
         ];
