@@ -244,10 +244,39 @@ fn tree_surfaces(case: &Case, pixel: [u32; 2]) -> Vec<String> {
         .iter()
         .filter_map(|ray| match &ray.end {
             RayEnd::Interface(event) => Some(event.surface.to_string()),
-            RayEnd::Matte { surface } => Some(surface.to_string()),
+            RayEnd::Matte { surface, .. } => Some(surface.to_string()),
             _ => None,
         })
         .collect()
+}
+
+/// Where the lamp lights the streak, where its light comes through the prism, and where neither does.
+#[test]
+fn a_matte_surface_tells_how_it_is_lit() {
+    let case = cases::beam();
+    let [width, height] = case.size;
+    let (mut streak, mut spectrum, mut shadow) = (0, 0, 0);
+    for number in (0..width * height).step_by(5) {
+        let tree = tree(&case, [number % width, number / width]);
+        let RayEnd::Matte { surface, lights } = &tree.rays[0].end else { continue };
+        let [lamp, sky] = &lights[..] else { panic!("a lamp and a sky: {lights:?}") };
+        assert_eq!((lamp.light, sky.light), (LightKind::Lamp, LightKind::Hemisphere));
+        assert!((0.0..=1.0).contains(&lamp.visible) && (0.0..=1.0).contains(&sky.visible));
+        let radiance = tree.rays[0].mean_radiance();
+        match (lamp.visible, lamp.through_bodies) {
+            (1.0, 0.0) => {
+                streak += 1;
+                assert!(&*surface.object != "ground" || radiance > 0.3, "{radiance}");
+            }
+            (0.0, 0.0) => {
+                shadow += 1;
+                assert!(radiance < 0.1, "only the sky lights it: {radiance}");
+            }
+            (0.0, _) => spectrum += 1,
+            _ => {}
+        }
+    }
+    assert!(streak > 0 && spectrum > 0 && shadow > 0, "{streak} {spectrum} {shadow}");
 }
 
 /// The overlaps that are told are those that were deposited.

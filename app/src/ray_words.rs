@@ -1,7 +1,7 @@
 //! Rays, surfaces and lights in words, for people.
 
 use brilliance_renderer::inspect::{
-    InterfaceEvent, LightKind, Limit, RayCounts, RayEnd, RayKind, SeenLight,
+    InterfaceEvent, LightKind, Limit, RayCounts, RayEnd, RayKind, ReceivedLight, SeenLight,
 };
 
 /// How a ray came to be, in a word or two.
@@ -24,7 +24,10 @@ pub(crate) fn end(end: &RayEnd) -> String {
         }
         RayEnd::Backdrop => "backdrop".to_owned(),
         RayEnd::Dark { observer_shadow } => format!("dark{}", shadow(*observer_shadow)),
-        RayEnd::Matte { surface } => format!("{surface} (matte)"),
+        RayEnd::Matte { surface, lights } => {
+            let received: Vec<_> = lights.iter().map(received_light).collect();
+            format!("{surface} (matte): {}", received.join(", "))
+        }
         RayEnd::Pruned => "pruned".to_owned(),
         RayEnd::CutOff { limit: Limit::Depth } => "cut off: too deep".to_owned(),
         RayEnd::CutOff { limit: Limit::Stack } => "cut off: too many rays wait".to_owned(),
@@ -54,11 +57,30 @@ pub(crate) fn interface(event: &InterfaceEvent) -> String {
 }
 
 fn seen_light(seen: &SeenLight) -> String {
-    let name = match seen.light {
-        LightKind::Lamp => format!("lamp {}", seen.name),
-        LightKind::Hemisphere | LightKind::Environment => seen.name.to_string(),
-    };
+    let name = light_name(seen.light, &seen.name);
     if seen.overlap >= 1.0 { name } else { format!("{name} ({})", percent(seen.overlap)) }
+}
+
+fn light_name(light: LightKind, name: &str) -> String {
+    match light {
+        LightKind::Lamp => format!("lamp {name}"),
+        LightKind::Hemisphere | LightKind::Environment => name.to_owned(),
+    }
+}
+
+/// How a matte surface is lit.
+fn received_light(received: &ReceivedLight) -> String {
+    let name = light_name(received.light, &received.name);
+    let mut words = match received.visible {
+        0.0 => format!("{name} in shadow"),
+        1.0.. => name,
+        visible => format!("{name} ({:.0} %)", 100.0 * visible),
+    };
+    if received.through_bodies > 0.0 {
+        let through = percent(received.through_bodies);
+        words = format!("{words}, through a stone ({through})");
+    }
+    words
 }
 
 fn shadow(observer_shadow: f32) -> String {

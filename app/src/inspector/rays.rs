@@ -245,8 +245,8 @@ impl Rays {
         let (is_pressed, is_down) =
             painter.ctx().input(|input| (input.pointer.any_pressed(), input.pointer.any_down()));
         if is_pressed || is_down {
-            // A quick click is pressed and released within one frame.
-            self.pressed_at = pointer;
+            // A quick click is pressed and released within one frame, and hovers nothing in it.
+            self.pressed_at = painter.ctx().input(|input| input.pointer.latest_pos());
         }
         let has_moved =
             |at: &Pos2| self.pressed_at.is_none_or(|pressed| pressed.distance(*at) > STILL);

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::names::{Name, Names, Surface};
+use super::received::{ReceivedLight, received_lights};
 use crate::kernel::fork::{interface_at, medium_beyond};
 use crate::kernel::interface::{
     cos_refracted_squared, fresnel, index_of_refraction, relative_index,
@@ -37,6 +38,8 @@ pub enum RayEnd {
     Matte {
         /// Where.
         surface: Surface,
+        /// How it is lit, lamps first.
+        lights: Vec<ReceivedLight>,
     },
     /// It was too weak to be followed.
     Pruned,
@@ -123,7 +126,7 @@ pub(super) fn read_end(
         return see_lights(scene, rules, names, ray);
     };
     if meets_opaque(scene, hit) {
-        return RayEnd::Matte { surface };
+        return RayEnd::Matte { surface, lights: received_lights(scene, rules, names, ray, hit) };
     }
     RayEnd::Interface(read_interface(scene, surface, ray, hit, children))
 }

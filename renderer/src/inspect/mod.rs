@@ -7,6 +7,7 @@
 mod counts;
 mod end;
 mod names;
+mod received;
 mod recorder;
 mod request;
 mod tree;
@@ -14,5 +15,6 @@ mod tree;
 pub use counts::RayCounts;
 pub use end::{InterfaceEvent, LightKind, Limit, RayEnd, SeenLight};
 pub use names::{Name, Surface};
+pub use received::ReceivedLight;
 pub use request::RayTreeRequest;
 pub use tree::{RayKind, RayTree, RecordedRay};
