@@ -7,7 +7,7 @@ mod spectrum;
 use std::sync::Arc;
 
 use brilliance_renderer::camera::Camera;
-use brilliance_renderer::film::Region;
+use brilliance_renderer::film::{PixelRect, Region};
 use brilliance_renderer::inspect::RayTree;
 use brilliance_renderer::scene::Scene;
 use brilliance_renderer::session::Reading;
@@ -16,7 +16,8 @@ use eframe::egui::{Frame, Margin, Painter, Panel, Rect, RichText, ScrollArea, Ui
 
 use crate::theme;
 use crate::waker::Waker;
-pub use pick::{Pick, PixelRect};
+use pick::paint_pick;
+pub use pick::{Pick, pixels_between};
 use rays::Rays;
 use spectrum::SpectrumTab;
 
@@ -128,7 +129,7 @@ impl Inspector {
         // The tree of a ray stays in the scene when the view turns; a spectrum is that of the place
         // in the picture.
         if self.tab == Tab::Spectrum || pick.camera == *camera {
-            pick.pixels.paint(painter, room, pick.size, size);
+            paint_pick(&pick, painter, room, size);
         }
     }
 }
