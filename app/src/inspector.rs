@@ -7,7 +7,7 @@ mod spectrum;
 use std::sync::Arc;
 
 use brilliance_renderer::camera::Camera;
-use brilliance_renderer::film::Region;
+use brilliance_renderer::film::{PixelRect, Region};
 use brilliance_renderer::inspect::RayTree;
 use brilliance_renderer::scene::Scene;
 use brilliance_renderer::session::Reading;
@@ -16,7 +16,8 @@ use eframe::egui::{Frame, Margin, Painter, Panel, Response, RichText, ScrollArea
 
 use crate::theme;
 use crate::waker::Waker;
-pub use pick::{Pick, PixelRect};
+use pick::paint_pick;
+pub use pick::{Pick, pixels_between};
 use rays::Rays;
 use spectrum::SpectrumTab;
 
@@ -149,7 +150,7 @@ impl Inspector {
         // The tree of a ray stays in the scene when the view turns; a spectrum is that of the place
         // in the picture.
         if self.tab == Tab::Spectrum || pick.camera == *camera {
-            pick.pixels.paint(painter, picture.rect, pick.size, size);
+            paint_pick(&pick, painter, picture.rect, size);
         }
     }
 }

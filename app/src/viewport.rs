@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use brilliance_renderer::develop::Shown;
+use brilliance_renderer::film::PixelRect;
 use brilliance_renderer::session::{Activity, Picture, Progress};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
@@ -11,7 +12,7 @@ use eframe::egui::{
 };
 
 use crate::bounds::Bounds;
-use crate::inspector::PixelRect;
+use crate::inspector::pixels_between;
 use crate::legend;
 use crate::orbit::Orbit;
 use crate::picture_painter::paint_picture;
@@ -90,7 +91,7 @@ fn picked(ui: &Ui, response: &Response, size: [u32; 2]) -> Option<PixelRect> {
         let drags = command && response.dragged_by(PointerButton::Primary);
         [origin.filter(|_| drags)?, at]
     };
-    Some(PixelRect::between(corners, response.rect, size))
+    Some(pixels_between(corners, response.rect, size))
 }
 
 fn paint(

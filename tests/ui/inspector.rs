@@ -21,7 +21,7 @@ fn a_click_picks_a_pixel_only_while_the_inspector_is_open() {
     assert_eq!(pick.pixels.count(), 1);
     let size = request(&harness).size;
     assert_eq!(pick.size, size);
-    for (picked, side) in pick.pixels.first.into_iter().zip(size) {
+    for (picked, side) in pick.pixels.min.into_iter().zip(size) {
         assert!(picked.abs_diff(side / 2) <= 1, "{pick:?}");
     }
     assert_eq!(pick.camera, harness.state().camera());

@@ -71,8 +71,7 @@ pub(super) fn spectrum(arguments: &SpectrumArguments) -> anyhow::Result<()> {
     let place = pixel.or(arguments.region).context("no pixel and no region")?;
     ensure!(
         place.within(size) == Some(place),
-        "{} lies outside of the picture of {}x{} pixels; columns and rows count from 0",
-        described(place),
+        "{place} lies outside of the picture of {}x{} pixels; columns and rows count from 0",
         size[0],
         size[1],
     );
@@ -82,8 +81,7 @@ pub(super) fn spectrum(arguments: &SpectrumArguments) -> anyhow::Result<()> {
         serde_json::to_string(&SpectrumReport::new(&still, place, &spectrum, &document.display))?
     } else {
         let passes = if still.passes == 1 { "pass" } else { "passes" };
-        let origin =
-            format!("{} of {}x{}, {} {passes}", described(place), size[0], size[1], still.passes);
+        let origin = format!("{place} of {}x{}, {} {passes}", size[0], size[1], still.passes);
         let column = Column { name: "radiance", bins: still.film.bins(), spectrum: &spectrum };
         spectrum_csv(&[origin], &[column])
     };
@@ -178,14 +176,6 @@ impl SpectrumReport {
             gamut_shift_uv_prime: shift.map(|it| it.uv_prime),
             gamut_shift_delta_e_2000: shift.map(|it| it.delta_e_2000),
         }
-    }
-}
-
-fn described(place: PixelRect) -> String {
-    let PixelRect { min: [x, y], size: [width, height] } = place;
-    match place.count() {
-        1 => format!("pixel {x},{y}"),
-        _ => format!("the region of {width}x{height} pixels at {x},{y}"),
     }
 }
 

@@ -1,19 +1,8 @@
 //! Pixels picked in the picture.
 
-use std::fmt;
-
 use brilliance_renderer::camera::Camera;
-use brilliance_renderer::film::{self, Region};
+use brilliance_renderer::film::{PixelRect, Region};
 use eframe::egui::{Color32, Painter, Pos2, Rect, Stroke, StrokeKind, pos2};
-
-/// A rectangle of whole pixels, at least one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct PixelRect {
-    /// Column and row of the first pixel, from the top left.
-    pub first: [u32; 2],
-    /// Column and row of the last pixel.
-    pub last: [u32; 2],
-}
 
 /// What was picked, and what it was picked from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,63 +18,34 @@ pub struct Pick {
 impl Pick {
     /// The part of the picture that the pixels cover.
     pub fn region(&self) -> Region {
-        let PixelRect { first, last } = self.pixels;
-        let size = [0, 1].map(|axis| last[axis] - first[axis] + 1);
-        Region::of(film::PixelRect { min: first, size }, self.size)
+        Region::of(self.pixels, self.size)
     }
 }
 
-impl PixelRect {
-    /// The pixels between two corners in `room`, which shows a picture of `size`.
-    pub fn between(corners: [Pos2; 2], room: Rect, size: [u32; 2]) -> Self {
-        let [a, b] = corners.map(|corner| pixel_at(corner, room, size));
-        let least = |axis: usize| a[axis].min(b[axis]);
-        let most = |axis: usize| a[axis].max(b[axis]);
-        Self { first: [least(0), least(1)], last: [most(0), most(1)] }
-    }
-
-    /// The pixel in the middle.
-    pub fn middle(&self) -> [u32; 2] {
-        [0, 1].map(|axis| self.first[axis].midpoint(self.last[axis]))
-    }
-
-    /// Number of pixels.
-    pub fn count(&self) -> u64 {
-        let side = |axis: usize| u64::from(self.last[axis] - self.first[axis]) + 1;
-        side(0) * side(1)
-    }
-
-    /// Marks the pixels, picked from a picture of `picked_size`, in `room`, which shows another of
-    /// `size`.
-    pub fn paint(&self, painter: &Painter, room: Rect, picked_size: [u32; 2], size: [u32; 2]) {
-        let scale = |axis: usize| size[axis] as f32 / picked_size[axis].max(1) as f32;
-        let at = |pixel: [f32; 2]| {
-            let x = room.left() + pixel[0] * scale(0) * room.width() / size[0].max(1) as f32;
-            let y = room.top() + pixel[1] * scale(1) * room.height() / size[1].max(1) as f32;
-            pos2(x, y)
-        };
-        let first = self.first.map(|pixel| pixel as f32);
-        let beyond = self.last.map(|pixel| pixel as f32 + 1.0);
-        // A pixel alone is too small a frame to see.
-        let rect = Rect::from_two_pos(at(first), at(beyond)).expand(if self.count() == 1 {
-            4.0
-        } else {
-            1.0
-        });
-        for (width, color) in [(3.0, Color32::from_black_alpha(160)), (1.2, Color32::WHITE)] {
-            painter.rect_stroke(rect, 1.0, Stroke::new(width, color), StrokeKind::Middle);
-        }
+/// The pixels between two corners in `room`, which shows a picture of `size`.
+pub fn pixels_between(corners: [Pos2; 2], room: Rect, size: [u32; 2]) -> PixelRect {
+    let [a, b] = corners.map(|corner| pixel_at(corner, room, size));
+    PixelRect {
+        min: [0, 1].map(|axis| a[axis].min(b[axis])),
+        size: [0, 1].map(|axis| a[axis].abs_diff(b[axis]) + 1),
     }
 }
 
-impl fmt::Display for PixelRect {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [x, y] = self.first;
-        if self.count() == 1 {
-            return write!(formatter, "pixel {x}, {y}");
-        }
-        let [width, height] = [0, 1].map(|axis| self.last[axis] - self.first[axis] + 1);
-        write!(formatter, "{width} \u{d7} {height} pixels at {x}, {y}")
+/// Marks what is picked in `room`, which shows a picture of `size`.
+pub(super) fn paint_pick(pick: &Pick, painter: &Painter, room: Rect, size: [u32; 2]) {
+    let scale = |axis: usize| size[axis] as f32 / pick.size[axis].max(1) as f32;
+    let at = |pixel: [f32; 2]| {
+        let x = room.left() + pixel[0] * scale(0) * room.width() / size[0].max(1) as f32;
+        let y = room.top() + pixel[1] * scale(1) * room.height() / size[1].max(1) as f32;
+        pos2(x, y)
+    };
+    let PixelRect { min, size: extent } = pick.pixels;
+    let beyond = [0, 1].map(|axis| (min[axis] + extent[axis]) as f32);
+    // A pixel alone is too small a frame to see.
+    let margin = if pick.pixels.count() == 1 { 4.0 } else { 1.0 };
+    let rect = Rect::from_two_pos(at(min.map(|pixel| pixel as f32)), at(beyond)).expand(margin);
+    for (width, color) in [(3.0, Color32::from_black_alpha(160)), (1.2, Color32::WHITE)] {
+        painter.rect_stroke(rect, 1.0, Stroke::new(width, color), StrokeKind::Middle);
     }
 }
 
@@ -107,11 +67,11 @@ mod tests {
     fn corners_in_any_order_pick_the_pixels_between() {
         let room = Rect::from_min_size(pos2(100.0, 50.0), vec2(200.0, 100.0));
         let size = [400, 200];
-        let picked = PixelRect::between([pos2(110.4, 60.0), pos2(105.0, 55.1)], room, size);
-        assert_eq!(picked, PixelRect { first: [10, 10], last: [20, 20] });
+        let picked = pixels_between([pos2(110.4, 60.0), pos2(105.0, 55.1)], room, size);
+        assert_eq!(picked, PixelRect { min: [10, 10], size: [11, 11] });
         assert_eq!(picked.count(), 121);
         assert_eq!(picked.middle(), [15, 15]);
-        let outside = PixelRect::between([pos2(0.0, 0.0), pos2(900.0, 900.0)], room, size);
-        assert_eq!(outside, PixelRect { first: [0, 0], last: [399, 199] });
+        let outside = pixels_between([pos2(0.0, 0.0), pos2(900.0, 900.0)], room, size);
+        assert_eq!(outside, PixelRect { min: [0, 0], size });
     }
 }

@@ -7,7 +7,7 @@ mod plot;
 
 use std::sync::Arc;
 
-use brilliance_renderer::film::{PixelRect, Region};
+use brilliance_renderer::film::Region;
 use brilliance_renderer::session::Reading;
 use brilliance_renderer::settings::DisplaySettings;
 use eframe::egui::{RichText, Ui};
@@ -119,12 +119,7 @@ fn caption_ui(ui: &mut Ui, text: &str) {
 }
 
 fn origin(reading: &Reading) -> String {
-    let PixelRect { min: [x, y], size: [width, height] } = reading.pixels;
     let [film_width, film_height] = reading.film_size;
-    let pixels = match reading.pixels.count() {
-        1 => format!("pixel {x}, {y}"),
-        _ => format!("{width} \u{d7} {height} pixels at {x}, {y}"),
-    };
     let passes = if reading.passes == 1 { "pass" } else { "passes" };
-    format!("{pixels} of {film_width} \u{d7} {film_height}, {} {passes}", reading.passes)
+    format!("{} of {film_width} \u{d7} {film_height}, {} {passes}", reading.pixels, reading.passes)
 }

@@ -1,5 +1,7 @@
 //! A part of a picture, whatever the number of its pixels.
 
+use std::fmt;
+
 /// A rectangle of a picture in fractions of its width and height, from the upper left corner: a
 /// draft and the whole film show the same there.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,12 +80,27 @@ impl PixelRect {
         u64::from(self.size[0]) * u64::from(self.size[1])
     }
 
+    /// Column and row of the pixel in the middle, the upper left of them where there are several.
+    pub fn middle(&self) -> [u32; 2] {
+        [0, 1].map(|axis| self.min[axis] + self.size[axis].saturating_sub(1) / 2)
+    }
+
     /// The part that lies in a film of `size`; none where nothing does.
     pub fn within(&self, size: [u32; 2]) -> Option<Self> {
         let cut = std::array::from_fn(|axis| {
             self.size[axis].min(size[axis].saturating_sub(self.min[axis]))
         });
         (cut[0] > 0 && cut[1] > 0).then_some(Self { min: self.min, size: cut })
+    }
+}
+
+impl fmt::Display for PixelRect {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { min: [x, y], size: [width, height] } = self;
+        match self.count() {
+            1 => write!(formatter, "pixel {x}, {y}"),
+            _ => write!(formatter, "{width} \u{d7} {height} pixels at {x}, {y}"),
+        }
     }
 }
 
@@ -135,5 +152,8 @@ mod tests {
         assert_eq!(rect.within([5, 9]), Some(PixelRect { min: [3, 1], size: [2, 4] }));
         assert_eq!(rect.within([3, 9]), None);
         assert_eq!(rect.count(), 16);
+        assert_eq!(rect.to_string(), "4 \u{d7} 4 pixels at 3, 1");
+        let pixel = PixelRect { min: rect.middle(), size: [1, 1] };
+        assert_eq!(pixel.to_string(), "pixel 4, 2");
     }
 }

@@ -217,10 +217,10 @@ impl<'a> Recorder<'a> {
 
     /// What is known of a ray after it was followed.
     fn finish(&mut self, id: u32, ray: &Ray, sight: &Sight, radiance_per_bin: Vec<f64>) {
-        let (met, hit) = next_surface(self.scene, ray);
-        let mut arrived = met;
+        let mut arrived = *ray;
+        let hit = next_surface(self.scene, &mut arrived);
         if hit.instance != NONE {
-            arrived.origin += met.direction * hit.distance;
+            arrived.origin += arrived.direction * hit.distance;
         }
         let end =
             read_end(self.scene, self.rules, &mut self.names, &arrived, &hit, &sight.children);

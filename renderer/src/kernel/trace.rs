@@ -22,10 +22,10 @@ pub fn trace(walk: &mut Walk<'_>, camera_ray: &Ray) {
 #[inline(always)]
 pub fn follow(walk: &mut Walk<'_>) {
     let scene = walk.scene;
-    let ray = walk.pop();
+    let mut ray = walk.pop();
     walk.tally.segments += 1;
     walk.tally.depth = walk.tally.depth.max(ray.depth);
-    let (mut ray, hit) = next_surface(scene, &ray);
+    let hit = next_surface(scene, &mut ray);
     if hit.instance != NONE {
         ray.origin += ray.direction * hit.distance;
         if runs_in_absorber(scene, &ray) {
@@ -47,23 +47,22 @@ pub fn follow(walk: &mut Walk<'_>) {
     }
 }
 
-/// The next surface along a ray, and the ray as it meets it. A ray that a mesh seems not to let out
-/// tries once more from slightly further inside.
+/// The next surface along a ray. One that a mesh seems not to let out tries once more, and is left
+/// slightly further inside.
 #[expect(clippy::inline_always, reason = "a part of the loop above, though the record calls it")]
 #[inline(always)]
-pub fn next_surface(scene: &PackedScene, ray: &Ray) -> (Ray, Hit) {
-    let mut tried = *ray;
+pub fn next_surface(scene: &PackedScene, ray: &mut Ray) -> Hit {
     let mut hit = Hit::MISS;
     for attempt in 0..2 {
         if attempt > 0 {
-            tried = nudge_inwards(scene, &tried);
+            *ray = nudge_inwards(scene, ray);
         }
-        hit = find_intersection(scene, &tried);
-        if !is_lost(&tried, &hit) {
+        hit = find_intersection(scene, ray);
+        if !is_lost(ray, &hit) {
             break;
         }
     }
-    (tried, hit)
+    hit
 }
 
 /// Whether the ray is inside of a body that it does not meet from there.

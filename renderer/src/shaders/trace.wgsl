@@ -1,19 +1,11 @@
 // Following rays through the tree of a camera ray's descendants (the paper's `ray_solid`).
 
-// A surface and the ray that meets it.
-struct NextSurface {
-    ray: Ray,
-    hit: Hit,
-}
-
 // Takes the next ray that waits to the next surface, or to the lights.
 fn follow() {
     var ray = pop();
     walk.tally.segments += 1u;
     walk.tally.depth = max(walk.tally.depth, ray.depth);
-    let next = next_surface(ray);
-    ray = next.ray;
-    let hit = next.hit;
+    let hit = next_surface(&ray);
     if hit.instance != NONE {
         ray.origin += ray.direction * hit.distance;
         if runs_in_absorber(ray) {
@@ -35,20 +27,20 @@ fn follow() {
     }
 }
 
-// The next surface along a ray, and the ray as it meets it. A ray that a mesh seems not to let out
-// tries once more from slightly further inside.
-fn next_surface(ray: Ray) -> NextSurface {
-    var next = NextSurface(ray, MISS);
+// The next surface along a ray. One that a mesh seems not to let out tries once more, and is left
+// slightly further inside.
+fn next_surface(ray: ptr<function, Ray>) -> Hit {
+    var hit = MISS;
     for (var attempt = 0u; attempt < 2u; attempt++) {
         if attempt > 0u {
-            next.ray = nudge_inwards(next.ray);
+            *ray = nudge_inwards(*ray);
         }
-        next.hit = find_intersection(next.ray);
-        if !is_lost(next.ray, next.hit) {
+        hit = find_intersection(*ray);
+        if !is_lost(*ray, hit) {
             break;
         }
     }
-    return next;
+    return hit;
 }
 
 // Whether the ray is inside of a body that it does not meet from there.

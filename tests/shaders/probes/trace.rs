@@ -40,13 +40,13 @@ pub(super) fn table() -> Table {
             },
             Probe {
                 name: "next_surface",
-                wgsl: "let next = next_surface(take_ray());
-    put_ray(next.ray);
-    put_hit(next.hit);",
+                wgsl: "var ray = take_ray();
+    put_hit(next_surface(&ray));
+    put_ray(ray);",
                 rust: |world, take, put| {
-                    let (ray, hit) = next_surface(&world.scene, &take.ray());
+                    let mut ray = take.ray();
+                    put.hit(&next_surface(&world.scene, &mut ray));
                     put.ray(&ray);
-                    put.hit(&hit);
                 },
                 cases: |world| {
                     let rays = world.rays(600).into_iter().chain(astray(world));
