@@ -221,7 +221,7 @@ impl App {
         self.update_scene();
         let document = &self.editor.document;
         self.live.ask(document, &self.scene, self.orbit.camera(), self.viewport_size);
-        self.live.watch(self.inspector.watched());
+        self.live.watch(self.inspector.watched(self.viewport_size));
     }
 
     fn menu_ui(&mut self, ui: &mut Ui) {
@@ -302,7 +302,8 @@ impl eframe::App for App {
             self.panel_ui(ui);
         }
         let reading = self.session().reading();
-        self.inspector.show(ui, reading.as_ref(), &self.editor.document.display);
+        let display = &self.editor.document.display;
+        self.inspector.show(ui, self.viewport_size, reading.as_ref(), display);
         self.viewport_ui(ui);
         self.overlays_ui(&ctx);
         // After the widgets, which take the keys that are meant for them.

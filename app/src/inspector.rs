@@ -62,11 +62,12 @@ impl Inspector {
         self.pick = Some(Pick { pixels, size, camera });
     }
 
-    /// The part of the picture whose spectrum is shown, or all of it before one is picked, so that
-    /// the session is ready for that.
-    pub fn watched(&self) -> Option<Region> {
-        let watches = self.shown && self.tab == Tab::Spectrum;
-        watches.then(|| self.pick.map_or(Region::WHOLE, |pick| pick.region()))
+    /// The part of a picture of `size` whose spectrum is shown, or else all of it, so that the session
+    /// is ready for one that will be.
+    pub fn watched(&self, size: [u32; 2]) -> Option<Region> {
+        let pick = self.pick.filter(|_| self.tab == Tab::Spectrum);
+        let region = pick.and_then(|pick| pick.region(size));
+        self.shown.then(|| region.unwrap_or(Region::WHOLE))
     }
 
     /// Forgets what belongs to a document that is no longer open.
@@ -96,7 +97,13 @@ impl Inspector {
 
     /// Shows the panel, if it is open: the newest `reading` of what is watched, and what the display
     /// settings make of it.
-    pub fn show(&mut self, ui: &mut Ui, reading: Option<&Arc<Reading>>, display: &DisplaySettings) {
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        size: [u32; 2],
+        reading: Option<&Arc<Reading>>,
+        display: &DisplaySettings,
+    ) {
         if !self.shown {
             return;
         }
@@ -115,11 +122,16 @@ impl Inspector {
                 match (self.tab, self.pick) {
                     (_, None) => empty_ui(ui, self.tab),
                     (Tab::Rays, Some(_)) => self.rays.show(ui),
-                    (Tab::Spectrum, Some(pick)) => {
-                        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-                            self.spectrum.show(ui, pick.region(), reading, display);
-                        });
-                    }
+                    (Tab::Spectrum, Some(pick)) => match pick.region(size) {
+                        None => {
+                            ui.label("What was picked is beside the picture now.");
+                        }
+                        Some(region) => {
+                            ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+                                self.spectrum.show(ui, region, reading, display);
+                            });
+                        }
+                    },
                 }
             },
         );

@@ -25,6 +25,7 @@ impl FacetWindow {
     /// Opens the window, or closes it.
     pub fn toggle(&mut self) {
         self.open = !self.open;
+        self.view = SheetView::default();
     }
 
     /// Closes the window; true if it was open.

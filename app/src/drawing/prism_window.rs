@@ -37,6 +37,7 @@ impl PrismWindow {
     /// Opens the window, or closes it.
     pub fn toggle(&mut self) {
         self.open = !self.open;
+        self.view = SheetView::default();
     }
 
     /// Closes the window; true if it was open.

@@ -2,7 +2,7 @@
 
 use brilliance_renderer::camera::Camera;
 use brilliance_renderer::film::{PixelRect, Region};
-use eframe::egui::{Color32, Painter, Pos2, Rect, Stroke, StrokeKind, pos2};
+use eframe::egui::{Color32, Painter, Pos2, Rect, Stroke, StrokeKind, vec2};
 
 /// What was picked, and what it was picked from.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,9 +16,23 @@ pub struct Pick {
 }
 
 impl Pick {
-    /// The part of the picture that the pixels cover.
-    pub fn region(&self) -> Region {
-        Region::of(self.pixels, self.size)
+    /// The part that the pixels cover of a picture of `size`, which sees as far up and down as the one
+    /// that they were picked from; none where that does not reach so far to the side.
+    pub fn region(&self, size: [u32; 2]) -> Option<Region> {
+        let [min, max] = self.corners_in(size);
+        let is_beside = max[0] <= 0.0 || min[0] >= 1.0;
+        (!is_beside).then(|| Region::between(min, max))
+    }
+
+    /// The corners of the pixels in fractions of a picture of `size`.
+    fn corners_in(&self, size: [u32; 2]) -> [[f64; 2]; 2] {
+        let PixelRect { min, size: extent } = self.pixels;
+        let beyond = [0, 1].map(|axis| min[axis] + extent[axis]);
+        let [width, height] = self.size.map(f64::from);
+        let aspect = f64::from(size[0]) / f64::from(size[1].max(1));
+        [min, beyond].map(|[x, y]| {
+            [0.5 + (f64::from(x) - 0.5 * width) / (height * aspect), f64::from(y) / height]
+        })
     }
 }
 
@@ -33,17 +47,13 @@ pub fn pixels_between(corners: [Pos2; 2], room: Rect, size: [u32; 2]) -> PixelRe
 
 /// Marks what is picked in `room`, which shows a picture of `size`.
 pub(super) fn paint_pick(pick: &Pick, painter: &Painter, room: Rect, size: [u32; 2]) {
-    let scale = |axis: usize| size[axis] as f32 / pick.size[axis].max(1) as f32;
-    let at = |pixel: [f32; 2]| {
-        let x = room.left() + pixel[0] * scale(0) * room.width() / size[0].max(1) as f32;
-        let y = room.top() + pixel[1] * scale(1) * room.height() / size[1].max(1) as f32;
-        pos2(x, y)
-    };
-    let PixelRect { min, size: extent } = pick.pixels;
-    let beyond = [0, 1].map(|axis| (min[axis] + extent[axis]) as f32);
+    let [min, max] = pick.corners_in(size).map(|corner| {
+        let [x, y] = corner.map(|fraction| fraction as f32);
+        room.min + vec2(x, y) * room.size()
+    });
     // A pixel alone is too small a frame to see.
     let margin = if pick.pixels.count() == 1 { 4.0 } else { 1.0 };
-    let rect = Rect::from_two_pos(at(min.map(|pixel| pixel as f32)), at(beyond)).expand(margin);
+    let rect = Rect::from_min_max(min, max).expand(margin);
     for (width, color) in [(3.0, Color32::from_black_alpha(160)), (1.2, Color32::WHITE)] {
         painter.rect_stroke(rect, 1.0, Stroke::new(width, color), StrokeKind::Middle);
     }
@@ -61,7 +71,7 @@ fn pixel_at(point: Pos2, room: Rect, size: [u32; 2]) -> [u32; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use eframe::egui::vec2;
+    use eframe::egui::pos2;
 
     #[test]
     fn corners_in_any_order_pick_the_pixels_between() {
@@ -73,5 +83,15 @@ mod tests {
         assert_eq!(picked.middle(), [15, 15]);
         let outside = pixels_between([pos2(0.0, 0.0), pos2(900.0, 900.0)], room, size);
         assert_eq!(outside, PixelRect { min: [0, 0], size });
+    }
+    #[test]
+    fn a_picture_of_other_proportions_shows_what_was_picked_about_its_middle() {
+        let pixels = PixelRect { min: [300, 50], size: [1, 1] };
+        let pick = Pick { pixels, size: [400, 200], camera: Camera::default() };
+        assert_eq!(pick.region([400, 200]), Some(Region::of(pixels, [400, 200])));
+        // Twice as high and half as wide in proportion: 100 pixels beside the middle become 200.
+        let region = pick.region([500, 400]).expect("it is in sight");
+        assert_eq!((region.min()[0] * 500.0, region.min()[1] * 400.0), (450.0, 100.0));
+        assert_eq!(pick.region([200, 200]), None);
     }
 }
