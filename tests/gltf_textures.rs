@@ -308,12 +308,14 @@ fn alpha_is_ignored_where_the_material_is_opaque() {
             .enumerate()
     {
         // Every material of the file has the same image.
-        file["materials"][number] = file["materials"][0].clone();
+        let mut material = file["materials"][0].clone();
+        let mut primitive = file["meshes"][0]["primitives"][0].clone();
+        primitive["material"] = number.into();
         if let Some(mode) = mode {
-            file["materials"][number]["alphaMode"] = mode.into();
+            material["alphaMode"] = mode.into();
+            file["materials"].as_array_mut().unwrap().push(material);
+            file["meshes"][0]["primitives"].as_array_mut().unwrap().push(primitive);
         }
-        file["meshes"][0]["primitives"][number] = file["meshes"][0]["primitives"][0].clone();
-        file["meshes"][0]["primitives"][number]["material"] = number.into();
         let scene = read(&file).unwrap();
         assert_eq!(print_of(&scene, number).image.texels, [texel], "{mode:?}");
         assert_eq!(print_of(&scene, 0).image.texels, [colour]);

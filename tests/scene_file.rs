@@ -138,12 +138,13 @@ fn prints_round_trip() {
     let image = Image::of_library("The word prism").unwrap();
     let tilted = Vec3::new(0.36, -0.48, 0.8);
     for (facing, up, outside, tint) in [
-        (Vec3::Z, Vec3::Y, Outside::Bare, [1.0; 3]),
-        (Vec3::NEG_Y, Vec3::Z, Outside::Mirror, [0.9, 0.5, 0.0]),
-        (tilted, tilted.any_orthonormal_vector(), Outside::Repeat, [1.0; 3]),
+        (Vec3::Z, Vec3::Y, [Outside::Bare; 2], [1.0; 3]),
+        (Vec3::NEG_Y, Vec3::Z, [Outside::Mirror; 2], [0.9, 0.5, 0.0]),
+        (Vec3::Z, Vec3::Y, [Outside::Repeat, Outside::Edge], [1.0; 3]),
+        (tilted, tilted.any_orthonormal_vector(), [Outside::Repeat; 2], [1.0; 3]),
     ] {
         let layout = Layout::Planar(Planar { facing, up, size_mm: [7.1, 0.3] });
-        let print = Print { image: image.clone(), layout, outside: [outside; 2], tint };
+        let print = Print { image: image.clone(), layout, outside, tint };
         let reflectance = Spectrum::Rgb([0.8, 0.7, 0.6]);
         let mut document = Document::default();
         let printed = Material::Diffuse(Diffuse { reflectance, print: Some(print) });

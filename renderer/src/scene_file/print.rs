@@ -28,6 +28,8 @@ pub(super) struct PrintEntry {
     up: Option<[f32; 3]>,
     /// `bare`, `edge`, `repeat` or `mirror`.
     outside: Option<String>,
+    /// Above and below the image, where that differs from its sides.
+    outside_above: Option<String>,
     tint: Option<[f32; 3]>,
 }
 
@@ -82,12 +84,16 @@ impl PrintEntry {
             Some(name) => choose(name, &OUTSIDES).under("outside")?,
             None => Outside::Bare,
         };
+        let outside_above = match &self.outside_above {
+            Some(name) => choose(name, &OUTSIDES).under("outside_above")?,
+            None => outside,
+        };
         let tint = self.tint.unwrap_or([1.0; 3]);
         if let Some(channel) = tint.iter().find(|channel| !(0.0..=1.0).contains(*channel)) {
             return Err(Fault::at("tint", format!("found {channel}; each channel is 0 to 1")));
         }
         let layout = Layout::Planar(self.planar(image.size)?);
-        Ok(Print { image, layout, outside: [outside; 2], tint })
+        Ok(Print { image, layout, outside: [outside, outside_above], tint })
     }
 
     fn planar(&self, [columns, rows]: [u32; 2]) -> Result<Planar, Fault> {
@@ -127,7 +133,10 @@ impl PrintEntry {
             ImageOrigin::Mesh(_) => return None,
         };
         let [width, height] = planar.size_mm;
-        let name = OUTSIDES.iter().find(|(_, known)| known == &outside[0]).map(|(name, _)| *name);
+        let name = |outside: Outside| {
+            let named = OUTSIDES.iter().find(|(_, known)| *known == outside);
+            named.map(|(name, _)| (*name).to_owned())
+        };
         Some(Self {
             file,
             library,
@@ -135,7 +144,8 @@ impl PrintEntry {
             height_mm: Some(height),
             facing: Some(planar.facing.to_array()),
             up: Some(planar.up.to_array()),
-            outside: name.map(str::to_owned),
+            outside: name(outside[0]),
+            outside_above: (outside[1] != outside[0]).then(|| name(outside[1])).flatten(),
             tint: (*tint != [1.0; 3]).then_some(*tint),
         })
     }
