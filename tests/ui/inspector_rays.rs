@@ -2,9 +2,7 @@
 
 use brilliance_renderer::inspect::RayTree;
 use brilliance_renderer::scene_file::Document;
-use eframe::egui::{
-    Event, Key, Modifiers, OutputCommand, PointerButton, Vec2, accesskit::Role, vec2,
-};
+use eframe::egui::{Key, Modifiers, OutputCommand, PointerButton, Vec2, accesskit::Role, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _, by};
 
 use crate::window::*;
@@ -162,27 +160,6 @@ fn no_ray_is_pointed_at_through_a_window() {
     harness.key_press(Key::L);
     harness.run_steps(5);
     assert_eq!(point_to_a_ray(&mut harness), None);
-}
-
-#[test]
-fn a_click_within_one_frame_points_to_no_ray() {
-    let mut harness = harness_with_rays();
-    let at = picture_centre(&harness) + vec2(40.0, 30.0);
-    let button = |pressed| Event::PointerButton {
-        pos: at,
-        button: PointerButton::Primary,
-        pressed,
-        modifiers: Modifiers::NONE,
-    };
-    let events = [Event::PointerMoved(at), button(true), button(false)];
-    harness.input_mut().events.extend(events);
-    harness.step();
-    let picked = harness.state().inspector().pick().expect("it picks").pixels.middle();
-    wait(&mut harness, "the other tree", |app| {
-        app.inspector().ray_tree().is_some_and(|tree| tree.pixel == picked)
-    });
-    harness.run_steps(3);
-    assert_eq!(harness.state().inspector().looked_at_ray(), None);
 }
 
 #[test]
