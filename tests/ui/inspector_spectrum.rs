@@ -37,7 +37,8 @@ fn spectrum_tab_of(mut document: Document) -> AppHarness {
 /// Waits until what is picked was read from the finished film.
 fn reading(harness: &mut AppHarness) -> Arc<Reading> {
     wait(harness, "a reading of all passes", |app| {
-        let region = app.inspector().watched();
+        let size = app.request().map_or([1, 1], |request| request.size);
+        let region = app.inspector().watched(size);
         app.session()
             .reading()
             .is_some_and(|it| Some(it.region) == region && it.passes == PASSES && !it.is_draft)
@@ -66,10 +67,14 @@ fn while_nothing_is_picked_the_tab_says_what_to_do() {
     let mut harness = spectrum_tab();
     harness.get_by_label_contains("drag a region");
     assert_eq!(harness.query_by_label("Spectrum of what is picked").map(|_| ()), None);
-    assert_eq!(harness.state().inspector().watched(), Some(Region::WHOLE));
+    let watched = |harness: &AppHarness| harness.state().inspector().watched([640, 400]);
+    assert_eq!(watched(&harness), Some(Region::WHOLE));
     harness.get_by_label("Rays").click();
     harness.run_steps(3);
-    assert_eq!(harness.state().inspector().watched(), None);
+    assert_eq!(watched(&harness), Some(Region::WHOLE), "it stays ready for a spectrum");
+    harness.key_press(Key::I);
+    harness.run_steps(3);
+    assert_eq!(watched(&harness), None);
     assert_eq!(harness.state().session().reading(), None);
 }
 
