@@ -433,8 +433,8 @@ fn the_spectrum_of_a_pixel_is_that_of_the_rendered_film() {
     assert_eq!(json["bin_edges_nm"][0], 380.0);
     assert_eq!(json["srgb8"].as_array().unwrap().len(), 3);
 
-    assert_failed(&spectrum("--pixel 24,8"), &["24,8", "24x16", "outside"]);
-    assert_failed(&spectrum("--region 20,8,5,2"), &["5x2", "outside"]);
+    assert_failed(&spectrum("--pixel 24,8"), &["24, 8", "24x16", "outside"]);
+    assert_failed(&spectrum("--region 20,8,5,2"), &["5 × 2", "outside"]);
     assert_wrong_usage(&spectrum("--pixel 3"), &["comma"]);
     assert_wrong_usage(&spectrum(""), &["--pixel"]);
 }

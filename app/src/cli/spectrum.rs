@@ -71,7 +71,7 @@ pub(super) fn spectrum(arguments: &SpectrumArguments) -> anyhow::Result<()> {
     let place = pixel.or(arguments.region).context("no pixel and no region")?;
     ensure!(
         place.within(size) == Some(place),
-        "{place} lies outside of the picture of {}x{} pixels; columns and rows count from 0",
+        "{place}: outside of the picture of {}x{} pixels; columns and rows count from 0",
         size[0],
         size[1],
     );
