@@ -1,6 +1,10 @@
 //! `KEY=VALUE`: a change to a value of the scene.
 
+use std::path::Path;
 use std::str::FromStr;
+
+use brilliance_renderer::error::RendererError;
+use brilliance_renderer::scene_file::Document;
 
 /// A key of the scene file and its new value, as the user wrote them.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -14,11 +18,19 @@ impl Assignment {
     pub(super) fn key(&self) -> &str {
         self.text[..self.key_length].trim()
     }
+}
 
-    /// The whole, `key=value`.
-    pub(super) fn text(&self) -> &str {
-        &self.text
-    }
+/// The document of a file with these changes.
+///
+/// # Errors
+/// Those of [`Document::open_with`].
+pub(super) fn open_with(
+    scene: &Path,
+    assignments: &[Assignment],
+) -> Result<Document, RendererError> {
+    let overrides: Vec<String> =
+        assignments.iter().map(|assignment| assignment.text.clone()).collect();
+    Document::open_with(scene, &overrides)
 }
 
 impl FromStr for Assignment {
@@ -42,7 +54,7 @@ mod tests {
     fn the_key_ends_at_the_first_equals_sign() {
         let assignment: Assignment = "a.b = \"c=d\"".parse().unwrap();
         assert_eq!(assignment.key(), "a.b");
-        assert_eq!(assignment.text(), "a.b = \"c=d\"");
+        assert_eq!(assignment.text, "a.b = \"c=d\"");
     }
 
     #[test]

@@ -8,10 +8,9 @@ use std::sync::Arc;
 
 use anyhow::Context as _;
 use brilliance_renderer::inspect::{RayTree, RayTreeRequest};
-use brilliance_renderer::scene_file::Document;
 use clap::Args;
 
-use super::assignment::Assignment;
+use super::assignment::{Assignment, open_with};
 use super::image_size::ImageSize;
 use super::pixel::Pixel;
 
@@ -45,9 +44,7 @@ pub(super) struct InspectArguments {
 
 /// Traces the tree and prints it.
 pub(super) fn inspect(arguments: &InspectArguments) -> anyhow::Result<()> {
-    let overrides: Vec<String> =
-        arguments.assignments.iter().map(|assignment| assignment.text().to_owned()).collect();
-    let document = Document::open_with(&arguments.scene, &overrides)?;
+    let document = open_with(&arguments.scene, &arguments.assignments)?;
     let request = RayTreeRequest {
         camera: document.scene.camera,
         scene: Arc::new(document.scene),

@@ -15,6 +15,7 @@ use brilliance_renderer::tracer::{Backend, TracingDevice};
 use brilliance_renderer::whole_file;
 
 use super::arguments::RenderArguments;
+use super::assignment::open_with;
 use super::progress::Progress;
 use super::report::Report;
 use super::say;
@@ -33,7 +34,15 @@ pub(super) fn render(arguments: &RenderArguments) -> anyhow::Result<()> {
 
     let document = open(arguments)?;
     check_film(&document)?;
-    let still = trace(arguments, &document, &cancel)?;
+    let threads = arguments.threads.unwrap_or(ALL_THREADS);
+    let limits = StillLimits { time: arguments.time, threads };
+    let still =
+        trace(&document, arguments.backend(), limits, &cancel).map_err(|error| {
+            match error.downcast_ref() {
+                Some(RendererError::Cancelled) => anyhow!("cancelled; no picture was written"),
+                _ => error,
+            }
+        })?;
     let base = arguments.output.parent().unwrap_or(Path::new(""));
     let (display, shown) = (&document.display, arguments.show.into());
     still.write(&arguments.output, format, display, shown, &document.to_toml(base))?;
@@ -47,9 +56,7 @@ pub(super) fn render(arguments: &RenderArguments) -> anyhow::Result<()> {
 
 /// The document of the scene file with the changes the command line asks for.
 fn open(arguments: &RenderArguments) -> anyhow::Result<Document> {
-    let overrides: Vec<String> =
-        arguments.assignments.iter().map(|assignment| assignment.text().to_owned()).collect();
-    let mut document = Document::open_with(&arguments.scene, &overrides)?;
+    let mut document = open_with(&arguments.scene, &arguments.assignments)?;
     if let Some(size) = arguments.size {
         document.still.size = size.0;
     }
@@ -62,10 +69,14 @@ fn open(arguments: &RenderArguments) -> anyhow::Result<Document> {
     Ok(document)
 }
 
-/// Traces the document's still with a progress bar.
-fn trace(
-    arguments: &RenderArguments,
+/// Traces the document's still with a progress bar, until `cancel` comes true.
+///
+/// # Errors
+/// Those of [`Still::render`], or there is no graphics device where one is asked for.
+pub(super) fn trace(
     document: &Document,
+    backend: Backend,
+    limits: StillLimits,
     cancel: &AtomicBool,
 ) -> anyhow::Result<Still> {
     let request = RenderRequest {
@@ -74,20 +85,14 @@ fn trace(
         size: document.still.size,
         trace: document.trace.clone(),
         pass_limit: document.still.passes,
-        backend: arguments.backend(),
+        backend,
     };
-    let threads = arguments.threads.unwrap_or(ALL_THREADS);
-    let limits = StillLimits { time: arguments.time, threads };
-    let device = open_graphics(request.backend)?.map(TracingDevice::from);
+    let device = open_graphics(backend)?.map(TracingDevice::from);
     let progress = Progress::new(request.pass_limit);
-    let still = Still::render(&request, limits, device.as_ref(), cancel, |passes, _| {
-        progress.show(passes);
-    });
+    let show = |passes, _: &_| progress.show(passes);
+    let still = Still::render(&request, limits, device.as_ref(), cancel, show);
     drop(progress);
-    let still = still.map_err(|error| match error {
-        RendererError::Cancelled => anyhow!("cancelled; no picture was written"),
-        error => error.into(),
-    })?;
+    let still = still?;
     if let Some(warning) = &still.warning {
         say(&format!("traced on the CPU, since the graphics device could not: {warning}"));
     }
@@ -95,7 +100,7 @@ fn trace(
 }
 
 /// The graphics device to trace on, if any.
-pub(super) fn open_graphics(backend: Backend) -> anyhow::Result<Option<Graphics>> {
+fn open_graphics(backend: Backend) -> anyhow::Result<Option<Graphics>> {
     match backend {
         Backend::Cpu => Ok(None),
         Backend::Auto => Ok(Graphics::open(false)

@@ -2,28 +2,24 @@
 
 use std::io::{self, ErrorKind, Write as _};
 use std::path::PathBuf;
-use std::sync::Arc;
 
-use anyhow::{Context as _, anyhow, ensure};
+use anyhow::{Context as _, ensure};
 use brilliance_renderer::color;
 use brilliance_renderer::develop::ColorPath;
 use brilliance_renderer::film::PixelRect;
 use brilliance_renderer::scene_file::{Document, StillSettings};
-use brilliance_renderer::session::RenderRequest;
 use brilliance_renderer::settings::DisplaySettings;
 use brilliance_renderer::spectrum::{DominantWavelength, Observer};
 use brilliance_renderer::still::{Still, StillLimits};
-use brilliance_renderer::tracer::TracingDevice;
 use clap::{ArgGroup, Args};
 use serde::Serialize;
 
 use super::arguments::within;
-use super::assignment::Assignment;
+use super::assignment::{Assignment, open_with};
 use super::backend::BackendChoice;
 use super::image_size::ImageSize;
 use super::pixel::Pixel;
-use super::progress::Progress;
-use super::render::{cancelled_by_ctrl_c, check_film, open_graphics};
+use super::render::{cancelled_by_ctrl_c, check_film, trace};
 use crate::spectrum_csv::{Column, spectrum_csv};
 
 /// Pixels whose light is taken apart.
@@ -75,7 +71,8 @@ pub(super) fn spectrum(arguments: &SpectrumArguments) -> anyhow::Result<()> {
         size[0],
         size[1],
     );
-    let still = trace(arguments, &document)?;
+    let cancel = cancelled_by_ctrl_c()?;
+    let still = trace(&document, arguments.backend.into(), StillLimits::default(), &cancel)?;
     let spectrum = still.film.mean_spectrum(place);
     let printed = if arguments.json {
         serde_json::to_string(&SpectrumReport::new(&still, place, &spectrum, &document.display))?
@@ -93,9 +90,7 @@ pub(super) fn spectrum(arguments: &SpectrumArguments) -> anyhow::Result<()> {
 }
 
 fn open(arguments: &SpectrumArguments) -> anyhow::Result<Document> {
-    let overrides: Vec<String> =
-        arguments.assignments.iter().map(|assignment| assignment.text().to_owned()).collect();
-    let mut document = Document::open_with(&arguments.scene, &overrides)?;
+    let mut document = open_with(&arguments.scene, &arguments.assignments)?;
     if let Some(size) = arguments.size {
         document.still.size = size.0;
     }
@@ -103,23 +98,6 @@ fn open(arguments: &SpectrumArguments) -> anyhow::Result<Document> {
         document.still.passes = passes;
     }
     Ok(document)
-}
-
-fn trace(arguments: &SpectrumArguments, document: &Document) -> anyhow::Result<Still> {
-    let request = RenderRequest {
-        scene: Arc::new(document.scene.clone()),
-        camera: document.scene.camera,
-        size: document.still.size,
-        trace: document.trace.clone(),
-        pass_limit: document.still.passes,
-        backend: arguments.backend.into(),
-    };
-    let cancel = cancelled_by_ctrl_c()?;
-    let device = open_graphics(request.backend)?.map(TracingDevice::from);
-    let progress = Progress::new(request.pass_limit);
-    let show = |passes, _: &_| progress.show(passes);
-    let still = Still::render(&request, StillLimits::default(), device.as_ref(), &cancel, show);
-    still.map_err(|error| anyhow!(error))
 }
 
 /// A spectrum and its colour, for other programs.
