@@ -1,0 +1,1 @@
+//! A concave mesh over a matte ground.
