@@ -75,9 +75,8 @@ impl Surface {
             Shape::Polyhedron(half_spaces) => half_spaces.clone(),
             Shape::Mesh(source) => {
                 let mesh = &source.mesh;
-                let position = |i: u32| {
-                    rotation * (mesh.positions[i as usize].as_dvec3() * scale) + shift
-                };
+                let position =
+                    |i: u32| rotation * (mesh.positions[i as usize].as_dvec3() * scale) + shift;
                 let triangles = mesh.triangles.iter().map(|corners| corners.map(position));
                 return Self::Mesh(triangles.map(Triangle::new).collect());
             }
@@ -148,12 +147,7 @@ fn enter_convex(planes: &[Plane], origin: DVec3, direction: DVec3) -> Option<Mee
 
 /// The nearest triangle whose normal points along the ray, for a `side` of 1, or against it, for −1.
 /// A triangle that the ray has just left is never among them.
-fn nearest(
-    triangles: &[Triangle],
-    origin: DVec3,
-    direction: DVec3,
-    side: f64,
-) -> Option<Meeting> {
+fn nearest(triangles: &[Triangle], origin: DVec3, direction: DVec3, side: f64) -> Option<Meeting> {
     triangles
         .iter()
         .filter(|triangle| side * triangle.normal.dot(direction) > 0.0)

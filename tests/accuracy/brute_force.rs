@@ -71,9 +71,11 @@ impl World {
 
     /// Follows a camera ray and all that comes of it at one wavelength.
     pub(crate) fn look(&self, origin: DVec3, direction: DVec3, lambda_nm: f64) -> Seen {
-        let indices: Vec<f64> = self.bodies.iter().map(|body| body.dispersion.n(lambda_nm)).collect();
+        let indices: Vec<f64> =
+            self.bodies.iter().map(|body| body.dispersion.n(lambda_nm)).collect();
         let mut seen = Seen::default();
-        let mut waiting = vec![Ray { origin, direction, significance: 1.0, medium: None, depth: 0 }];
+        let mut waiting =
+            vec![Ray { origin, direction, significance: 1.0, medium: None, depth: 0 }];
         while let Some(ray) = waiting.pop() {
             seen.segments += 1;
             match self.end_of(&ray) {
@@ -108,7 +110,8 @@ impl World {
         let meetings = self.bodies.iter().enumerate().filter_map(|(i, body)| {
             body.enter(ray.origin, ray.direction).map(|meeting| (i, meeting))
         });
-        if let Some((body, meeting)) = meetings.min_by(|a, b| a.1.distance.total_cmp(&b.1.distance)) {
+        if let Some((body, meeting)) = meetings.min_by(|a, b| a.1.distance.total_cmp(&b.1.distance))
+        {
             return End::Body(body, meeting);
         }
         match &self.ground {

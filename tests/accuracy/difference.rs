@@ -1,5 +1,7 @@
 //! How far a film is from the reference, where bodies are seen.
 
+use std::fmt::Write;
+
 use brilliance_renderer::develop::XyzImage;
 use brilliance_renderer::film::Film;
 use brilliance_renderer::settings::DisplaySettings;
@@ -45,7 +47,8 @@ impl Difference {
         let pairs = film.pixel(x, y).into_iter().zip(reference.film.pixel(x, y));
         for (bin, (found, wanted)) in pairs.enumerate() {
             let (low_nm, high_nm) = film.bins().range_nm(bin);
-            lines += &format!("{low_nm:.0}–{high_nm:.0} {found:.5} {wanted:.5}\n");
+            writeln!(lines, "{low_nm:.0}–{high_nm:.0} {found:.5} {wanted:.5}")
+                .expect("a string takes it");
         }
         lines
     }

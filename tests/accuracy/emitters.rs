@@ -92,7 +92,10 @@ impl Emitters {
     /// the radiance L of an environment, its reflectance times L. No other light may shine.
     pub(crate) fn add_matte(&self, reflectance: f64, weight: f64, shares: &mut Shares) {
         let is_dark = |i: usize| self.radiances[i].1 == 0.0;
-        assert!((0..=self.discs.len()).all(is_dark), "matte surfaces are lit by environments alone");
+        assert!(
+            (0..=self.discs.len()).all(is_dark),
+            "matte surfaces are lit by environments alone"
+        );
         shares.0[self.discs.len() + 1] += weight * reflectance;
     }
 

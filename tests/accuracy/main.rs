@@ -8,6 +8,7 @@ mod emitters;
 mod formulas;
 mod general;
 mod interface;
+mod method;
 mod quadrature;
 mod reference;
 mod scenes;

@@ -54,7 +54,9 @@ impl<'a> Spectrograph<'a> {
     /// can be brought down to a finer step.
     fn integrate(&mut self, start: (f64, Shares), end: (f64, Shares), sum: &mut Shares) {
         let width_nm = end.0 - start.0;
-        if width_nm > FINEST_STEP * self.step_nm && self.leap(&start.1, &end.1) * width_nm > SMALL_LEAP_NM {
+        if width_nm > FINEST_STEP * self.step_nm
+            && self.leap(&start.1, &end.1) * width_nm > SMALL_LEAP_NM
+        {
             let middle_nm = 0.5 * (start.0 + end.0);
             let middle = (middle_nm, self.look(middle_nm));
             self.integrate(start, middle, sum);

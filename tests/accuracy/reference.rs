@@ -16,7 +16,7 @@ pub(crate) struct Reference {
     /// Of each pixel, whether a body is seen in it.
     pub(crate) shows_body: Vec<bool>,
     /// Rays followed for each pixel.
-    pub(crate) segments: Vec<u64>,
+    pub(crate) segments: Vec<f64>,
 }
 
 struct Pixel {
@@ -56,7 +56,14 @@ impl Reference {
         Self {
             film: Film::from_sums(case.size, bins, (sums, counts), 1),
             shows_body: pixels.iter().map(|pixel| pixel.shows_body).collect(),
-            segments: pixels.iter().map(|pixel| pixel.segments).collect(),
+            segments: pixels.iter().map(|pixel| pixel.segments as f64).collect(),
         }
+    }
+
+    /// The mean of what each pixel has over those that show a body.
+    pub(crate) fn mean_over_bodies(&self, values: impl Iterator<Item = f64>) -> f64 {
+        let of_bodies = values.zip(&self.shows_body).filter(|(_, shows_body)| **shows_body);
+        let count = self.shows_body.iter().filter(|shows_body| **shows_body).count();
+        of_bodies.map(|(value, _)| value).sum::<f64>() / count as f64
     }
 }

@@ -97,7 +97,7 @@ fn two() -> Case {
 
 fn case(name: &str, objects: Vec<Object>, camera: Camera) -> Case {
     let scene = Scene { objects, ..Scene::default() };
-    Case { name: name.to_owned(), scene, camera, size: [48, 48] }
+    Case { name: name.to_owned(), scene, camera, size: [40, 40] }
 }
 
 fn stone(shape: Shape, material: &str, transform: Transform) -> Object {
