@@ -12,6 +12,7 @@ use brilliance_renderer::inspect::{
 };
 use brilliance_renderer::kernel::absorption::{bin_overlap, bin_range};
 use brilliance_renderer::scene_file::Document;
+use brilliance_renderer::settings::Splitting;
 use brilliance_renderer::statistics::Ledger;
 use brilliance_renderer::tracer::{CpuTracer, Tracer as _};
 use cases::Case;
@@ -31,27 +32,45 @@ fn tree(case: &Case, pixel: [u32; 2]) -> RayTree {
     RayTree::trace(&request(case, pixel, 0), RayTree::MAX_RAYS).expect("the tree is traced")
 }
 
+const SPLITTINGS: [Splitting; 2] = [Splitting::Paper, Splitting::Exact];
+
+/// The case as it is traced by `splitting`.
+fn split(mut case: Case, splitting: Splitting) -> Case {
+    case.document.trace.splitting = splitting;
+    case
+}
+
 /// A pixel in the middle of the picture of a brilliant in its usual light.
-fn tree_in_diamond() -> RayTree {
-    let case = cases::diamond();
-    let tree = tree(&case, [22, 25]);
+fn tree_in_diamond(splitting: Splitting) -> RayTree {
+    let tree = tree(&split(cases::diamond(), splitting), [22, 25]);
     assert!(tree.rays.len() > 100, "{} rays", tree.rays.len());
     tree
 }
 
+/// Trees of one stone and of several, by both splittings.
+fn trees_in_both() -> impl Iterator<Item = RayTree> {
+    SPLITTINGS.into_iter().flat_map(|splitting| {
+        [tree_in_diamond(splitting), tree(&split(cases::nested(), splitting), [10, 22])]
+    })
+}
+
 fn all_cases() -> Vec<Case> {
-    vec![
-        cases::diamond(),
-        cases::beam(),
-        cases::print(),
-        cases::seven_diamonds(),
-        cases::mesh(),
-        cases::prism(),
-        cases::nested(),
-        cases::furnace(),
-        cases::small_diamond(),
-        cases::banded(),
-    ]
+    let cases = [
+        cases::diamond,
+        cases::beam,
+        cases::print,
+        cases::seven_diamonds,
+        cases::mesh,
+        cases::prism,
+        cases::nested,
+        cases::furnace,
+        cases::small_diamond,
+        cases::banded,
+    ];
+    SPLITTINGS
+        .into_iter()
+        .flat_map(|splitting| cases.map(|case| split(case(), splitting)))
+        .collect()
 }
 
 /// What the processor adds to the film in each pass, and to the books.
@@ -95,7 +114,8 @@ fn the_rays_add_up_to_the_film_bit_for_bit() {
                 assert!(!tree.is_truncated);
                 let start = number as usize * bins;
                 let of_film = &film[start..start + bins];
-                let place = format!("{} {pixel:?} pass {pass_index}", case.name);
+                let splitting = case.settings().splitting;
+                let place = format!("{} {splitting:?} {pixel:?} pass {pass_index}", case.name);
                 assert_eq!(tree.radiance_per_bin, of_film, "{place}");
                 assert_eq!(sum_of_leaves(&tree), of_film, "{place}");
             }
@@ -142,7 +162,7 @@ fn is_returned(end: &RayEnd) -> bool {
 
 #[test]
 fn no_energy_is_made_or_lost_from_a_ray_to_those_that_come_of_it() {
-    for tree in [tree_in_diamond(), tree(&cases::nested(), [10, 22])] {
+    for tree in trees_in_both() {
         let mut of_children = vec![0.0; tree.rays.len()];
         for ray in &tree.rays {
             if let Some(parent) = ray.parent {
@@ -159,7 +179,7 @@ fn no_energy_is_made_or_lost_from_a_ray_to_those_that_come_of_it() {
 
 #[test]
 fn rays_stand_in_tree_order_and_join_end_to_end() {
-    for tree in [tree_in_diamond(), tree(&cases::nested(), [10, 22])] {
+    for tree in trees_in_both() {
         for (i, ray) in tree.rays.iter().enumerate() {
             assert_eq!(ray.id as usize, i);
             let Some(parent) = ray.parent else {
@@ -183,7 +203,7 @@ fn rays_stand_in_tree_order_and_join_end_to_end() {
 
 #[test]
 fn interfaces_obey_snell_and_fresnel() {
-    let tree = tree_in_diamond();
+    let tree = tree_in_diamond(Splitting::Paper);
     let mut refractions = 0;
     for ray in &tree.rays {
         let RayEnd::Interface(event) = &ray.end else { continue };
@@ -209,7 +229,7 @@ fn interfaces_obey_snell_and_fresnel() {
 
 #[test]
 fn facets_objects_and_lamps_have_their_names() {
-    let tree = tree_in_diamond();
+    let tree = tree_in_diamond(Splitting::Paper);
     let met: Vec<_> = tree.rays.iter().filter_map(|ray| ray.from.as_ref()).collect();
     for facet in ["table", "main", "lower half"] {
         let is_met = |name: &str| name.starts_with(facet);
@@ -284,7 +304,7 @@ fn a_matte_surface_tells_how_it_is_lit() {
 fn what_a_ray_sees_makes_what_it_adds() {
     let case = cases::diamond();
     let packed = case.packed();
-    let tree = tree_in_diamond();
+    let tree = tree_in_diamond(Splitting::Paper);
     let discs = &case.document.scene.lights.discs;
     let mut seeing = 0;
     for ray in &tree.rays {
@@ -415,7 +435,7 @@ fn a_pixel_outside_and_a_broken_scene_are_errors() {
 
 #[test]
 fn the_json_has_stable_names() {
-    let json = serde_json::to_value(tree_in_diamond()).expect("it is JSON");
+    let json = serde_json::to_value(tree_in_diamond(Splitting::Paper)).expect("it is JSON");
     for key in ["pixel", "size_px", "pass_index", "bin_edges_nm", "radiance_per_bin", "ledger"] {
         assert!(json.get(key).is_some(), "{key}");
     }

@@ -216,15 +216,20 @@ pub fn send_refracted(walk: &mut Walk<'_, Fan>, refracted: &Fan) {
         fan.absorber = absorber_of(scene, fan.medium);
         fan.path_mm = Vec3A::ZERO;
     }
-    let is_at_lights =
-        fan.medium == NONE && is_single(scene) && is_convex_body(scene, fan.instance);
-    if is_at_lights && fate_of_fan(scene, walk.rules, &fan, 0) == Fate::Kept {
+    let ends = can_only_meet_lights(scene, &fan) && !walk.holds_exits;
+    if ends && fate_of_fan(scene, walk.rules, &fan, 0) == Fate::Kept {
         walk.tally.segments += segment_count(&fan);
         walk.tally.depth = walk.tally.depth.max(fan.depth);
         end_at_lights(walk, &fan);
     } else {
         send_fan(walk, &fan);
     }
+}
+
+/// Whether the fan has left the only body of the scene, which is convex.
+#[inline]
+pub fn can_only_meet_lights(scene: &PackedScene, fan: &Fan) -> bool {
+    fan.medium == NONE && is_single(scene) && is_convex_body(scene, fan.instance)
 }
 
 /// Whether the fan, having run through one coloured material, enters another.

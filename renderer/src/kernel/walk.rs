@@ -104,6 +104,9 @@ pub struct Walk<'a, R = Ray> {
     stack: &'a mut RayStack<R>,
     /// The random word that was used last.
     pub seed: u32,
+    /// Whether fans that can only meet lights wait too, for those who want to see them; in the picture
+    /// they end at once.
+    pub holds_exits: bool,
 }
 
 impl<'a, R: Copy> Walk<'a, R> {
@@ -118,7 +121,8 @@ impl<'a, R: Copy> Walk<'a, R> {
         radiance: &'a mut [f32],
     ) -> Self {
         stack.count = 0;
-        Self { scene, rules, pass_index, radiance, tally: Tally::default(), stack, seed }
+        let tally = Tally::default();
+        Self { scene, rules, pass_index, radiance, tally, stack, seed, holds_exits: false }
     }
 
     /// A random word that is the same in every pass at the same place of the walk.
