@@ -27,7 +27,8 @@ pub(super) trait Branch: Copy {
     /// What becomes of it if it is sent on while `waiting` others wait.
     fn fate(&self, scene: &PackedScene, rules: &TraceRules, waiting: u32) -> Fate;
 
-    /// Ends it, if the picture's walk does so as soon as it is sent on; false where it waits.
+    /// Ends it, refracted as it is, if the picture's walk does so as soon as it is sent on; false where
+    /// it waits.
     fn end_if_sent(&self, walk: &mut Walk<'_, Self>) -> bool;
 
     /// The energy that it ends with.

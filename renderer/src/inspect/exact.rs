@@ -171,8 +171,10 @@ fn above_horizon(fan: &Fan) -> Vec<[f32; 2]> {
 /// The wavelengths, in nm, of those of the parts that have a width; neighbours are joined.
 fn bands(scene: &PackedScene, fan: &Fan, parts: &[[f32; 2]]) -> Vec<[f32; 2]> {
     let mut bands: Vec<[f32; 2]> = Vec::new();
+    // The fan's own ends as they are, without the rounding of positions.
+    let at = |position: f32| axis_position_in(fan, position).clamp(fan.low, fan.high);
     for part in parts.iter().filter(|part| part[0] < part[1]) {
-        let [low, high] = part.map(|at| wavelength_at(scene, axis_position_in(fan, at)));
+        let [low, high] = part.map(|position| wavelength_at(scene, at(position)));
         match bands.last_mut() {
             Some(last) if last[1] >= low => last[1] = high,
             _ => bands.push([low, high]),
@@ -183,6 +185,9 @@ fn bands(scene: &PackedScene, fan: &Fan, parts: &[[f32; 2]]) -> Vec<[f32; 2]> {
 
 /// The part of a fan's interval that the bands are, 0..=1.
 fn share(scene: &PackedScene, fan: &Fan, bands_nm: &[[f32; 2]]) -> f32 {
+    if bands_nm.is_empty() {
+        return 0.0;
+    }
     let width_nm = wavelength_at(scene, fan.high) - wavelength_at(scene, fan.low);
     let covered_nm: f32 = bands_nm.iter().map(|[low, high]| high - low).sum();
     if width_nm > 0.0 { (covered_nm / width_nm).min(1.0) } else { 0.0 }

@@ -138,7 +138,9 @@ impl<'a, B: Branch> Recorder<'a, B> {
             }
             let kinds = sight.meeting.part.kinds(&sight.children);
             for (child, kind) in sight.children.iter().zip(&kinds) {
-                if !self.receive_ended(id, *kind, child, &mut radiance) {
+                let has_ended = *kind == RayKind::Refracted
+                    && self.receive_ended(id, *kind, child, &mut radiance);
+                if !has_ended {
                     self.receive(id, *kind, child);
                 }
             }
