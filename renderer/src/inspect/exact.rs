@@ -132,14 +132,15 @@ impl Branch for Fan {
         SkyView { lights, observer_shadow }
     }
 
-    /// What is reflected without that anything of the same wavelengths is refracted is so totally.
+    /// What is reflected without that anything of its middle wavelength is refracted is so totally.
     fn kinds(&self, children: &[Self]) -> Vec<RayKind> {
-        let is_refracted = |fan: &Self| fan.medium != self.medium;
-        let meets = |a: &Self, b: &Self| a.low < b.high && b.low < a.high;
+        let is_refracted = |fan: &&Self| fan.medium != self.medium;
         let kind = |child: &Self| {
-            if is_refracted(child) {
+            let middle = axis_position_in(child, 0.0);
+            let has_middle = |other: &Self| (other.low..=other.high).contains(&middle);
+            if is_refracted(&child) {
                 RayKind::Refracted
-            } else if children.iter().any(|other| is_refracted(other) && meets(child, other)) {
+            } else if children.iter().filter(is_refracted).any(has_middle) {
                 RayKind::Reflected
             } else {
                 RayKind::TotallyReflected
@@ -172,7 +173,11 @@ fn above_horizon(fan: &Fan) -> Vec<[f32; 2]> {
 fn bands(scene: &PackedScene, fan: &Fan, parts: &[[f32; 2]]) -> Vec<[f32; 2]> {
     let mut bands: Vec<[f32; 2]> = Vec::new();
     // The fan's own ends as they are, without the rounding of positions.
-    let at = |position: f32| axis_position_in(fan, position).clamp(fan.low, fan.high);
+    let at = |position: f32| match position {
+        -1.0 => fan.low,
+        1.0 => fan.high,
+        _ => axis_position_in(fan, position),
+    };
     for part in parts.iter().filter(|part| part[0] < part[1]) {
         let [low, high] = part.map(|position| wavelength_at(scene, at(position)));
         match bands.last_mut() {
