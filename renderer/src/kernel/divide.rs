@@ -126,9 +126,8 @@ pub fn refract_fan(
     let reflectance = reflectances(crossing);
     let refracted = refracted_fan(scene, fan, ray, hit, at, crossing, reflectance);
     let divides_by_bins = pays_on_entering(scene, fan, refracted.medium);
-    if !divides_by_bins
-        && !(is_bent(&refracted.direction) && is_worth_dividing(walk.rules, &refracted))
-    {
+    let divides = is_bent(&refracted.direction) && is_worth_dividing(walk.rules, &refracted);
+    if !divides && !divides_by_bins {
         reflect_fan(walk, fan, hit, at, reflectance);
         send_refracted(walk, &refracted);
         return;

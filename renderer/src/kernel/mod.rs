@@ -16,6 +16,7 @@ pub mod convex;
 pub mod deposit;
 pub mod diffuse;
 pub mod divide;
+pub mod facet;
 pub mod fan;
 pub mod fan_lights;
 pub mod fan_matte;

@@ -2,7 +2,7 @@
 
 use glam::Vec3A;
 
-use crate::kernel::convex::clip_to_facet;
+use crate::kernel::facet::clip_to_facet;
 use crate::kernel::fan::{Fan, gathered, is_dispersed, ray_in_fan};
 use crate::kernel::fan_walk::{is_worth_dividing, least_of};
 use crate::kernel::intersect::find_intersection;

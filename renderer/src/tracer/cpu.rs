@@ -61,7 +61,7 @@ impl CpuTracer {
     ) -> Option<Statistics> {
         let (rules, pass_index) = (rules(view, settings), film.passes());
         let (size, bins) = (film.size(), film.bins().count());
-        let pass = Pass { scene, view, rules: &rules, pass_index, size, is_cancelled };
+        let pass = Pass { scene, view, rules: &rules, index: pass_index, size, is_cancelled };
         let strips = self.pool.install(|| {
             let (sums, counts) = film.sums_and_counts_mut();
             let strips = sums
@@ -94,7 +94,7 @@ struct Pass<'a> {
     scene: &'a PackedScene,
     view: &'a View,
     rules: &'a TraceRules,
-    pass_index: u32,
+    index: u32,
     size: [u32; 2],
     is_cancelled: &'a (dyn Fn() -> bool + Sync),
 }
@@ -124,8 +124,8 @@ impl Pass<'_> {
             let number = (strip.number * STRIP_PIXELS + i) as u32;
             let (x, y) = (number % self.size[0], number / self.size[0]);
             let seed = pixel_seed(x, y);
-            let mut walk = Walk::new(self.scene, self.rules, self.pass_index, seed, stack, pixel);
-            trace(&mut walk, &camera_ray(&self.view.frame, self.size, x, y, self.pass_index));
+            let mut walk = Walk::new(self.scene, self.rules, self.index, seed, stack, pixel);
+            trace(&mut walk, &camera_ray(&self.view.frame, self.size, x, y, self.index));
             *counts += Counts::from(&walk.tally);
             statistics += pixel_statistics(&walk.tally);
         }
