@@ -5,7 +5,10 @@
 #![expect(clippy::print_stdout, reason = "the tables are for the page")]
 
 mod error;
+#[path = "../shared/plot.rs"]
 mod plot;
+#[path = "../shared/rmse.rs"]
+mod rmse;
 mod scene;
 mod strip;
 
@@ -16,7 +19,7 @@ use brilliance_renderer::film::Film;
 use brilliance_renderer::settings::TraceSettings;
 
 use error::PictureError;
-use plot::Series;
+use plot::{Axes, Series};
 use scene::StudyScene;
 
 /// Split counts whose pictures are held against the converged one.
@@ -32,10 +35,20 @@ fn main() -> Result<(), Box<dyn Error>> {
     std::fs::create_dir_all(&folder)?;
     let scenes = scene::all()?;
     let splitting = sweep(&scenes, &folder, "split-count", &split_settings())?;
-    plot::write(&folder.join("split-count.svg"), "split count K", &splitting)?;
+    plot::write(&folder.join("split-count.svg"), &axes("split count K"), &splitting)?;
     let pruning = sweep(&scenes, &folder, "threshold", &threshold_settings())?;
-    plot::write(&folder.join("threshold.svg"), "significance threshold", &pruning)?;
+    plot::write(&folder.join("threshold.svg"), &axes("significance threshold"), &pruning)?;
     Ok(())
+}
+
+/// Mean colour differences over a setting, with the least that is about to be seen.
+fn axes(setting: &str) -> Axes<'_> {
+    Axes {
+        x: setting,
+        y: "mean ΔE₀₀ from the converged picture",
+        least_error: 1e-3,
+        mark: Some((1.0, "")),
+    }
 }
 
 fn default_folder() -> PathBuf {
@@ -120,7 +133,7 @@ fn sweep(
         films.push(converged.film);
         let path = folder.join(format!("{name}-{}.png", scene.file_name));
         strip::write(&path, &films, &scene.document.display)?;
-        series.push(Series { name: scene.name, points });
+        series.push(Series { name: scene.name.into(), points });
     }
     Ok(series)
 }
