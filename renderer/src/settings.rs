@@ -13,6 +13,9 @@ pub enum Splitting {
     /// Thomas 1986, to the letter: equal wavelength steps, prorated light overlap.
     #[default]
     Paper,
+    /// Three wavelengths per interval, each on its own way; the interval is divided where the ways part
+    /// and lights are cut out of it.
+    Exact,
 }
 
 /// Everything that decides what the film records, beside the scene and the camera.

@@ -28,6 +28,8 @@ pub(crate) struct PictureError {
     pub(crate) linear: f64,
     /// RMSE of channels in 0..=1 after exposure, clipping and sRGB encoding.
     pub(crate) shown: f64,
+    /// Mean luminance over that of the converged picture.
+    pub(crate) light: f64,
 }
 
 /// A kind of error.
@@ -50,6 +52,8 @@ impl PictureError {
 pub(crate) struct Curve {
     pub(crate) name: &'static str,
     pub(crate) points: Vec<Point>,
+    /// What is there after an eighth of the time.
+    pub(crate) early_picture: XyzImage,
     pub(crate) segments_per_camera_ray: f64,
     pub(crate) segments_per_second: f64,
 }
@@ -65,7 +69,7 @@ pub(crate) struct Effort {
 
 /// A converged picture, and how far it is from converged.
 pub(crate) struct Reference {
-    image: XyzImage,
+    pub(crate) image: XyzImage,
     exposure: f64,
     /// By the difference of its two halves.
     pub(crate) error: PictureError,
@@ -81,7 +85,7 @@ impl Reference {
         baseline.add_passes(half)?;
         let image = baseline.image();
         let exposure = f64::from(scene.document.display.exposure_ev).exp2();
-        let nothing = PictureError { linear: 0.0, shown: 0.0 };
+        let nothing = PictureError { linear: 0.0, shown: 0.0, light: 1.0 };
         let reference = Self { image, exposure, error: nothing };
         // Half of the difference of the halves, which is what the first is off by from the mean.
         let error = reference.error_of(&first_half);
@@ -97,12 +101,17 @@ impl Reference {
         PictureError {
             linear: relative_rmse(&found, &wanted),
             shown: rmse(&shown(&found), &shown(&wanted)),
+            light: luminance(image) / luminance(&self.image),
         }
     }
 
     fn show(&self, channel: f32) -> f32 {
         color::srgb_encode((f64::from(channel) * self.exposure).clamp(0.0, 1.0)) as f32
     }
+}
+
+fn luminance(image: &XyzImage) -> f64 {
+    image.xyz.iter().map(|xyz| f64::from(xyz[1])).sum()
 }
 
 /// Doubles the passes of all methods in turn, so that whatever else the machine does meets them alike.
@@ -116,26 +125,64 @@ pub(crate) fn follow(
     for candidate in candidates {
         // Threads and tables are ready then.
         candidate.method.start(scene)?.add_passes(2)?;
-        growing.push((candidate.method.start(scene)?, Vec::<Point>::new()));
+        growing.push(Growing::new(scene, candidate)?);
     }
-    let is_over = |points: &[Point]| points.last().is_some_and(|p| p.seconds > effort.seconds);
-    while growing.iter().any(|(_, points)| !is_over(points)) {
-        for (picture, points) in growing.iter_mut().filter(|(_, points)| !is_over(points)) {
-            let (passes, seconds) = points.last().map_or((0, 0.0), |p| (p.passes, p.seconds));
-            let more = passes.max(1);
-            let seconds = seconds + picture.add_passes(more)?;
-            let error = reference.error_of(&picture.image());
-            points.push(Point { passes: passes + more, seconds, error });
+    while growing.iter().any(|growing| growing.seconds() < effort.seconds) {
+        for growing in &mut growing {
+            if growing.seconds() < effort.seconds {
+                growing.double(reference, EARLY * effort.seconds)?;
+            }
         }
     }
-    let curves = candidates.iter().zip(growing).map(|(candidate, (picture, points))| {
-        let segments_per_camera_ray = picture.mean_segments();
+    Ok(growing.into_iter().map(|growing| growing.finish(scene)).collect())
+}
+
+/// When pictures are kept, as a part of the time.
+const EARLY: f64 = 1.0 / 8.0;
+
+/// A picture in the making, and its way so far.
+struct Growing {
+    name: &'static str,
+    picture: Box<dyn Picture>,
+    points: Vec<Point>,
+    early_picture: Option<XyzImage>,
+}
+
+impl Growing {
+    fn new(scene: &ReferenceScene, candidate: &Candidate) -> Result<Self, RendererError> {
+        let picture = candidate.method.start(scene)?;
+        Ok(Self { name: candidate.name, picture, points: Vec::new(), early_picture: None })
+    }
+
+    fn seconds(&self) -> f64 {
+        self.points.last().map_or(0.0, |point| point.seconds)
+    }
+
+    fn double(&mut self, reference: &Reference, early_seconds: f64) -> Result<(), RendererError> {
+        let passes = self.points.last().map_or(0, |point| point.passes);
+        let more = passes.max(1);
+        let seconds = self.seconds() + self.picture.add_passes(more)?;
+        let image = self.picture.image();
+        let error = reference.error_of(&image);
+        self.points.push(Point { passes: passes + more, seconds, error });
+        if seconds >= early_seconds {
+            self.early_picture.get_or_insert(image);
+        }
+        Ok(())
+    }
+
+    fn finish(self, scene: &ReferenceScene) -> Curve {
+        let segments_per_camera_ray = self.picture.mean_segments();
         let camera_rays = f64::from(scene.size[0] * scene.size[1]);
-        let last = points.last().map_or(0.0, |p| f64::from(p.passes) / p.seconds);
-        let segments_per_second = segments_per_camera_ray * camera_rays * last;
-        Curve { name: candidate.name, points, segments_per_camera_ray, segments_per_second }
-    });
-    Ok(curves.collect())
+        let passes_per_second = self.points.last().map_or(0.0, |p| f64::from(p.passes) / p.seconds);
+        Curve {
+            name: self.name,
+            early_picture: self.early_picture.unwrap_or_else(|| self.picture.image()),
+            points: self.points,
+            segments_per_camera_ray,
+            segments_per_second: segments_per_camera_ray * camera_rays * passes_per_second,
+        }
+    }
 }
 
 impl Curve {

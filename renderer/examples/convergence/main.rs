@@ -13,6 +13,8 @@ mod plot;
 #[path = "../shared/rmse.rs"]
 mod rmse;
 mod scene;
+#[path = "../shared/strip.rs"]
+mod strip;
 mod table;
 mod wavelengths;
 
@@ -45,6 +47,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("{section}");
         tables.push_str(&section);
         plot_both(&folder, &scene, &reference, &curves)?;
+        let mut pictures: Vec<_> = curves.into_iter().map(|curve| curve.early_picture).collect();
+        pictures.push(reference.image);
+        let path = folder.join(format!("{}.png", scene.file_name));
+        strip::write(&path, &pictures, &scene.document.display)?;
     }
     std::fs::write(folder.join("tables.md"), tables)?;
     Ok(())

@@ -37,6 +37,8 @@ pub(crate) fn all() -> Vec<Candidate> {
     vec![
         Candidate { name: "Monte Carlo", method: Method::MonteCarlo },
         Candidate { name: "Paper", method: split(Splitting::Paper, 16) },
+        Candidate { name: "Exact", method: split(Splitting::Exact, 16) },
+        Candidate { name: "Exact, 32 bins", method: split(Splitting::Exact, 32) },
     ]
 }
 

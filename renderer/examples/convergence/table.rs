@@ -19,8 +19,8 @@ pub(crate) fn section(scene: &ReferenceScene, reference: &Reference, curves: &[C
             noise.linear, noise.shown
         ),
         String::new(),
-        "| method | passes | seconds | linear RMSE | shown RMSE |".into(),
-        "|---|---|---|---|---|".into(),
+        "| method | passes | seconds | linear RMSE | shown RMSE | light |".into(),
+        "|---|---|---|---|---|---|".into(),
     ];
     for line in lines {
         text.push_str(&line);
@@ -28,11 +28,11 @@ pub(crate) fn section(scene: &ReferenceScene, reference: &Reference, curves: &[C
     }
     for curve in curves {
         for point in &curve.points {
-            let PictureError { linear, shown } = point.error;
+            let PictureError { linear, shown, light } = point.error;
             // Writing to a string can't fail.
             let _ = writeln!(
                 text,
-                "| {} | {} | {:.3} | {linear:.4} | {shown:.4} |",
+                "| {} | {} | {:.3} | {linear:.4} | {shown:.4} | {light:.4} |",
                 curve.name, point.passes, point.seconds
             );
         }

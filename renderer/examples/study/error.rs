@@ -1,10 +1,9 @@
 //! How far a picture is from another.
 
-use brilliance_renderer::color::{self, Lab};
 use brilliance_renderer::develop::XyzImage;
 use brilliance_renderer::film::Film;
 use brilliance_renderer::settings::DisplaySettings;
-use glam::{DVec3, Vec3};
+use glam::Vec3;
 
 use crate::rmse::relative_rmse;
 
@@ -48,7 +47,8 @@ fn luminance(image: &XyzImage) -> f64 {
 
 /// The differences of all pixels, the least first.
 fn delta_e(image: &XyzImage, reference: &XyzImage, display: &DisplaySettings) -> Vec<f64> {
-    let pairs = labs(image, display).zip(labs(reference, display));
+    let [image, reference] = [image, reference].map(|image| image.develop(display));
+    let pairs = image.labs().zip(reference.labs());
     let mut delta_e: Vec<f64> = pairs.map(|(found, wanted)| found.delta_e_2000(wanted)).collect();
     delta_e.sort_by(f64::total_cmp);
     delta_e
@@ -69,15 +69,4 @@ fn blocks(image: &XyzImage) -> XyzImage {
     };
     let xyz = (0..width * height).map(|i| block(i % width, i / width)).collect();
     XyzImage { size: [width as u32, height as u32], bins: image.bins, xyz }
-}
-
-/// The pixels as a display shows them, beside its white.
-fn labs(image: &XyzImage, display: &DisplaySettings) -> impl Iterator<Item = Lab> {
-    let xyz_from_rgb = color::xyz_from_rec709();
-    let white = color::d65_white();
-    image
-        .develop(display)
-        .rgb
-        .into_iter()
-        .map(move |rgb| Lab::from_xyz(xyz_from_rgb * DVec3::from_array(rgb.map(f64::from)), white))
 }

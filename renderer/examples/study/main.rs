@@ -10,12 +10,13 @@ mod plot;
 #[path = "../shared/rmse.rs"]
 mod rmse;
 mod scene;
+#[path = "../shared/strip.rs"]
 mod strip;
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use brilliance_renderer::film::Film;
+use brilliance_renderer::develop::XyzImage;
 use brilliance_renderer::settings::TraceSettings;
 
 use error::PictureError;
@@ -107,7 +108,7 @@ fn sweep(
             "| {name} | rays per pixel | RMSE | mean ΔE₀₀ | 99 % ΔE₀₀ | blocks' ΔE₀₀ | light | pruned |"
         );
         println!("|---|---|---|---|---|---|---|---|");
-        let mut films: Vec<Film> = Vec::new();
+        let mut pictures = Vec::new();
         let mut points = Vec::new();
         for Candidate { value, settings } in &sweep.candidates {
             let still = scene.trace(settings)?;
@@ -124,15 +125,15 @@ fn sweep(
                 100.0 * still.statistics.ledger.pruned / still.statistics.ledger.entered,
             );
             points.push((f64::from(*value), error.mean_delta_e));
-            films.push(still.film);
+            pictures.push(XyzImage::from_film(&still.film));
         }
         println!(
             "| converged | {:.1} | | | | | | |",
             converged.statistics.mean_segments_per_camera_ray()
         );
-        films.push(converged.film);
+        pictures.push(XyzImage::from_film(&converged.film));
         let path = folder.join(format!("{name}-{}.png", scene.file_name));
-        strip::write(&path, &films, &scene.document.display)?;
+        strip::write(&path, &pictures, &scene.document.display)?;
         series.push(Series { name: scene.name.into(), points });
     }
     Ok(series)

@@ -41,14 +41,14 @@ pub fn enter_convex(scene: &PackedScene, instance: &Instance, ray: &Ray) -> Hit 
 
 /// The planes of one solid, component by component.
 #[derive(Clone, Copy)]
-struct Planes<'a> {
+pub(super) struct Planes<'a> {
     normal: [&'a [f32]; 3],
     distance: &'a [f32],
 }
 
 impl<'a> Planes<'a> {
     #[inline]
-    fn of(scene: &'a PackedScene, instance: &Instance) -> Self {
+    pub(super) fn of(scene: &'a PackedScene, instance: &Instance) -> Self {
         let run = |i: u32| {
             let start = (instance.first + i * instance.count) as usize;
             &scene.planes[start..start + instance.count as usize]
@@ -95,7 +95,7 @@ impl<S: Simd> WideRay<S> {
 
 /// Calls `visit` with the normals, distances and numbers of the planes, a vector of them at a time.
 #[inline(always)]
-fn for_each_vector<S: Simd>(
+pub(super) fn for_each_vector<S: Simd>(
     simd: S,
     planes: &Planes<'_>,
     mut visit: impl FnMut([S::f32s; 3], S::f32s, S::f32s),

@@ -26,8 +26,8 @@ pub struct TraceRules {
     pub max_depth: u32,
     /// 1 where sub-rays take their own directions.
     pub perturb: u32,
-    /// Fills the struct to 32 bytes.
-    pub padding: u32,
+    /// Energy of a fan, in units of the camera ray's, below which it is not divided any more.
+    pub cut_threshold: f32,
 }
 
 /// What becomes of a ray that is sent on.
@@ -63,17 +63,23 @@ pub struct Tally {
     pub lost: f32,
 }
 
-/// The rays that wait to be followed.
-pub struct RayStack {
-    rays: [Ray; STACK_LEN],
+/// The rays, or fans of rays, that wait to be followed.
+pub struct RayStack<R = Ray> {
+    rays: Vec<R>,
     count: usize,
 }
 
 impl RayStack {
     /// An empty stack.
-    #[expect(clippy::large_stack_arrays, reason = "20 kB, once per worker")]
     pub fn new() -> Self {
-        Self { rays: [Ray::white(Vec3::ZERO, Vec3::Z); STACK_LEN], count: 0 }
+        Self::of(Ray::white(Vec3::ZERO, Vec3::Z), STACK_LEN)
+    }
+}
+
+impl<R: Copy> RayStack<R> {
+    /// An empty stack with room for `len` of the kind of `blank`.
+    pub(crate) fn of(blank: R, len: usize) -> Self {
+        Self { rays: vec![blank; len], count: 0 }
     }
 }
 
@@ -84,7 +90,7 @@ impl Default for RayStack {
 }
 
 /// One camera ray's walk: what it reads, and what it writes to.
-pub struct Walk<'a> {
+pub struct Walk<'a, R = Ray> {
     /// The scene.
     pub scene: &'a PackedScene,
     /// The rules.
@@ -95,11 +101,12 @@ pub struct Walk<'a> {
     pub radiance: &'a mut [f32],
     /// Counts.
     pub tally: Tally,
-    stack: &'a mut RayStack,
-    seed: u32,
+    stack: &'a mut RayStack<R>,
+    /// The random word that was used last.
+    pub seed: u32,
 }
 
-impl<'a> Walk<'a> {
+impl<'a, R: Copy> Walk<'a, R> {
     /// A walk that has not begun; `seed` is the pixel's own random word.
     #[inline]
     pub fn new(
@@ -107,7 +114,7 @@ impl<'a> Walk<'a> {
         rules: &'a TraceRules,
         pass_index: u32,
         seed: u32,
-        stack: &'a mut RayStack,
+        stack: &'a mut RayStack<R>,
         radiance: &'a mut [f32],
     ) -> Self {
         stack.count = 0;
@@ -129,26 +136,22 @@ impl<'a> Walk<'a> {
 
     /// Takes the ray that was put on the stack last.
     #[inline]
-    pub fn pop(&mut self) -> Ray {
+    pub fn pop(&mut self) -> R {
         self.stack.count -= 1;
         self.stack.rays[self.stack.count]
     }
 
-    /// Puts a ray on the stack, or into the books where it is too weak, too deep or too much.
+    /// Number of rays that wait.
     #[inline]
-    pub fn send(&mut self, ray: &Ray) {
-        let fate = fate_of(self.scene, self.rules, ray, self.stack.count as u32);
-        if fate == Fate::Kept {
-            self.stack.rays[self.stack.count] = *ray;
-            self.stack.count += 1;
-            return;
-        }
-        let energy = self.retire(ray);
-        if fate == Fate::TooWeak {
-            self.tally.pruned += energy;
-        } else {
-            self.tally.cut_off += energy;
-        }
+    pub fn waiting(&self) -> u32 {
+        self.stack.count as u32
+    }
+
+    /// Has a ray wait, for which there must be room.
+    #[inline]
+    pub fn push(&mut self, ray: &R) {
+        self.stack.rays[self.stack.count] = *ray;
+        self.stack.count += 1;
     }
 
     /// The energy that a ray still carries at its end, after its path's absorption is booked.
@@ -158,6 +161,24 @@ impl<'a> Walk<'a> {
         let kept = mean_transmittance(self.scene, ray);
         self.tally.absorbed += energy * (1.0 - kept);
         energy * kept
+    }
+}
+
+impl Walk<'_> {
+    /// Puts a ray on the stack, or into the books where it is too weak, too deep or too much.
+    #[inline]
+    pub fn send(&mut self, ray: &Ray) {
+        let fate = fate_of(self.scene, self.rules, ray, self.waiting());
+        if fate == Fate::Kept {
+            self.push(ray);
+            return;
+        }
+        let energy = self.retire(ray);
+        if fate == Fate::TooWeak {
+            self.tally.pruned += energy;
+        } else {
+            self.tally.cut_off += energy;
+        }
     }
 }
 

@@ -20,7 +20,8 @@ pub(super) struct TraceEntry {
     bins: Option<u32>,
 }
 
-const SPLITTINGS: [(&str, Splitting); 1] = [("paper", Splitting::Paper)];
+const SPLITTINGS: [(&str, Splitting); 2] =
+    [("paper", Splitting::Paper), ("exact", Splitting::Exact)];
 
 impl TraceEntry {
     pub(super) fn read(self) -> Result<TraceSettings, Fault> {
@@ -62,6 +63,7 @@ impl TraceEntry {
         } = settings;
         let splitting = match splitting {
             Splitting::Paper => "paper",
+            Splitting::Exact => "exact",
         };
         Self {
             splitting: Some(splitting.to_owned()),

@@ -8,10 +8,12 @@ use crate::develop::{CountImage, LatentImage, XyzImage};
 use crate::error::RendererError;
 use crate::film::{Counts, Film, PixelRect};
 use crate::kernel::camera::{camera_ray, pixel_seed};
+use crate::kernel::fan_trace::trace_fans;
+use crate::kernel::ray::Ray;
 use crate::kernel::trace::trace;
-use crate::kernel::walk::{RayStack, Tally, Walk};
+use crate::kernel::walk::{RayStack, Tally, TraceRules, Walk};
 use crate::packed::PackedScene;
-use crate::settings::TraceSettings;
+use crate::settings::{Splitting, TraceSettings};
 use crate::spectrum::Bins;
 use crate::statistics::{Ledger, Statistics};
 
@@ -59,34 +61,73 @@ impl CpuTracer {
     ) -> Option<Statistics> {
         let (rules, pass_index) = (rules(view, settings), film.passes());
         let (size, bins) = (film.size(), film.bins().count());
+        let pass = Pass { scene, view, rules: &rules, index: pass_index, size, is_cancelled };
         let strips = self.pool.install(|| {
             let (sums, counts) = film.sums_and_counts_mut();
-            sums.par_chunks_mut(STRIP_PIXELS * bins)
+            let strips = sums
+                .par_chunks_mut(STRIP_PIXELS * bins)
                 .zip(counts.par_chunks_mut(STRIP_PIXELS))
                 .enumerate()
-                .map_init(RayStack::new, |stack, (strip, (sums, counts))| {
-                    let mut statistics = Statistics::default();
-                    let pixels = sums.chunks_exact_mut(bins).zip(counts);
-                    for (i, (pixel, counts)) in pixels.enumerate() {
-                        if is_cancelled() {
-                            return None;
-                        }
-                        let number = (strip * STRIP_PIXELS + i) as u32;
-                        let (x, y) = (number % size[0], number / size[0]);
-                        let seed = pixel_seed(x, y);
-                        let mut walk = Walk::new(scene, &rules, pass_index, seed, stack, pixel);
-                        trace(&mut walk, &camera_ray(&view.frame, size, x, y, pass_index));
-                        *counts += Counts::from(&walk.tally);
-                        statistics += pixel_statistics(&walk.tally);
-                    }
-                    Some(statistics)
-                })
-                .collect::<Option<Vec<_>>>()
+                .map(|(number, (sums, counts))| Strip { number, bins, sums, counts });
+            match settings.splitting {
+                Splitting::Paper => strips
+                    .map_init(RayStack::new, |stack, strip| pass.trace_strip(strip, stack, trace))
+                    .collect::<Option<Vec<_>>>(),
+                Splitting::Exact => strips
+                    .map_init(RayStack::of_fans, |stack, strip| {
+                        pass.trace_strip(strip, stack, trace_fans)
+                    })
+                    .collect(),
+            }
         })?;
         film.complete_pass();
         let mut statistics = Statistics::default();
         for strip in strips {
             statistics += strip;
+        }
+        Some(statistics)
+    }
+}
+
+/// What is the same for all pixels of a pass.
+struct Pass<'a> {
+    scene: &'a PackedScene,
+    view: &'a View,
+    rules: &'a TraceRules,
+    index: u32,
+    size: [u32; 2],
+    is_cancelled: &'a (dyn Fn() -> bool + Sync),
+}
+
+/// Pixels that follow each other.
+struct Strip<'a> {
+    number: usize,
+    bins: usize,
+    sums: &'a mut [f32],
+    counts: &'a mut [Counts],
+}
+
+impl Pass<'_> {
+    /// Follows the camera ray of each pixel of a strip; nothing where the pass is cancelled.
+    fn trace_strip<R: Copy>(
+        &self,
+        strip: Strip<'_>,
+        stack: &mut RayStack<R>,
+        trace: impl Fn(&mut Walk<'_, R>, &Ray),
+    ) -> Option<Statistics> {
+        let mut statistics = Statistics::default();
+        let pixels = strip.sums.chunks_exact_mut(strip.bins).zip(strip.counts);
+        for (i, (pixel, counts)) in pixels.enumerate() {
+            if (self.is_cancelled)() {
+                return None;
+            }
+            let number = (strip.number * STRIP_PIXELS + i) as u32;
+            let (x, y) = (number % self.size[0], number / self.size[0]);
+            let seed = pixel_seed(x, y);
+            let mut walk = Walk::new(self.scene, self.rules, self.index, seed, stack, pixel);
+            trace(&mut walk, &camera_ray(&self.view.frame, self.size, x, y, self.index));
+            *counts += Counts::from(&walk.tally);
+            statistics += pixel_statistics(&walk.tally);
         }
         Some(statistics)
     }

@@ -108,6 +108,9 @@ impl View {
     }
 }
 
+/// The energy below which a fan is not divided, over the significance below which it is pruned.
+const CUT_SHARE: f32 = 0.2;
+
 /// The rules by which the settings want rays followed.
 pub(crate) fn rules(view: &View, settings: &TraceSettings) -> TraceRules {
     TraceRules {
@@ -116,6 +119,6 @@ pub(crate) fn rules(view: &View, settings: &TraceSettings) -> TraceRules {
         significance_threshold: settings.significance_threshold,
         max_depth: settings.max_depth,
         perturb: u32::from(settings.perturb),
-        padding: 0,
+        cut_threshold: CUT_SHARE * settings.significance_threshold,
     }
 }
