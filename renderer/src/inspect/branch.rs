@@ -62,6 +62,7 @@ pub(super) struct Start {
     pub(super) edges: [RayEdge; 2],
     pub(super) lambda_low_nm: f32,
     pub(super) lambda_high_nm: f32,
+    pub(super) central_nm: f32,
     pub(super) significance: f32,
     pub(super) energy: f32,
 }
@@ -77,8 +78,6 @@ pub(super) struct Meeting<B> {
     pub(super) ray: Ray,
     /// How far the surface is along that ray; 0 if there is none.
     pub(super) path_mm: f32,
-    /// The middle ray's wavelength.
-    pub(super) central_nm: f32,
     /// Where the part's shortest and its longest wavelength meet the surface.
     pub(super) edge_ends_mm: [Vec3; 2],
 }

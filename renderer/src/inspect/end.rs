@@ -10,6 +10,7 @@ use crate::kernel::fork::interface_at;
 use crate::kernel::interface::{
     cos_refracted_squared, fresnel, index_of_refraction, relative_index,
 };
+use crate::kernel::ray::{Hit, Ray};
 use crate::kernel::trace::{is_lost, meets_opaque};
 use crate::kernel::walk::TraceRules;
 use crate::packed::{NONE, PackedScene};
@@ -62,8 +63,8 @@ pub enum Limit {
     Stack,
 }
 
-/// A ray's meeting with an interface. Angles, indices and coefficients are those of the wavelength in
-/// the middle of its interval.
+/// A ray's meeting with an interface. Angles, indices and coefficients are those of its central
+/// wavelength.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct InterfaceEvent {
     /// Where.
@@ -143,18 +144,20 @@ pub(super) fn read_end<B: Branch>(
     if meets_opaque(scene, hit) {
         return RayEnd::Matte { surface, lights: received_lights(scene, rules, names, ray, hit) };
     }
-    RayEnd::Interface(read_interface(scene, surface, meeting, offspring))
+    let central_nm = meeting.part.start(scene).central_nm;
+    RayEnd::Interface(read_interface(scene, surface, ray, hit, central_nm, offspring))
 }
 
-fn read_interface<B>(
+fn read_interface(
     scene: &PackedScene,
     surface: Surface,
-    meeting: &Meeting<B>,
+    ray: &Ray,
+    hit: &Hit,
+    central_nm: f32,
     offspring: &[Offspring],
 ) -> InterfaceEvent {
-    let Meeting { ray, hit, central_nm, .. } = meeting;
     let at = interface_at(scene, ray, hit);
-    let eta = relative_index(scene, &at, *central_nm);
+    let eta = relative_index(scene, &at, central_nm);
     let cos_i = (-ray.direction.dot(at.normal)).clamp(0.0, 1.0);
     let cos_t_squared = cos_refracted_squared(cos_i, eta);
     let is_refracted = cos_i > 0.0 && cos_t_squared > 0.0;
@@ -175,8 +178,8 @@ fn read_interface<B>(
         surface,
         incidence_degrees: cos_i.acos().to_degrees(),
         refraction_degrees: is_refracted.then(|| cos_t.min(1.0).acos().to_degrees()),
-        n_before: index_of_refraction(scene, at.medium_from, *central_nm),
-        n_after: index_of_refraction(scene, at.medium_to, *central_nm),
+        n_before: index_of_refraction(scene, at.medium_from, central_nm),
+        n_after: index_of_refraction(scene, at.medium_to, central_nm),
         reflectance,
         transmittance: 1.0 - reflectance,
         subrays,

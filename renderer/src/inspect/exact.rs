@@ -73,8 +73,9 @@ impl Branch for Fan {
             direction: middle_node(&self.direction),
             spread: spread_between(low, high),
             edges: [edge(low_origin, low), edge(high_origin, high)],
-            lambda_low_nm: wavelength_at(scene, self.low),
-            lambda_high_nm: wavelength_at(scene, self.high),
+            lambda_low_nm: wavelength_at(scene, self.axis.x),
+            lambda_high_nm: wavelength_at(scene, self.axis.z),
+            central_nm: wavelength_at(scene, self.axis.y),
             significance: self.weight.y,
             energy: fan_energy(scene, self),
         }
@@ -93,10 +94,9 @@ impl Branch for Fan {
         }
         let mut ray = ray_in_fan(&arrived, 0.0);
         let path_mm = (ray.origin - middle_node(&part.origin)).length();
-        ray.lambda_low_nm = wavelength_at(scene, part.low);
-        ray.lambda_high_nm = wavelength_at(scene, part.high);
-        let central_nm = wavelength_at(scene, axis_position_in(&part, 0.0));
-        Meeting { part, hit, ray, path_mm, central_nm, edge_ends_mm: ends_of(&arrived.origin) }
+        ray.lambda_low_nm = wavelength_at(scene, part.axis.x);
+        ray.lambda_high_nm = wavelength_at(scene, part.axis.z);
+        Meeting { part, hit, ray, path_mm, edge_ends_mm: ends_of(&arrived.origin) }
     }
 
     /// What the kernel's `fan_light` shows the fan.
@@ -136,8 +136,7 @@ impl Branch for Fan {
     fn kinds(&self, children: &[Self]) -> Vec<RayKind> {
         let is_refracted = |fan: &&Self| fan.medium != self.medium;
         let kind = |child: &Self| {
-            let middle = axis_position_in(child, 0.0);
-            let has_middle = |other: &Self| (other.low..=other.high).contains(&middle);
+            let has_middle = |other: &Self| (other.axis.x..=other.axis.z).contains(&child.axis.y);
             if is_refracted(&child) {
                 RayKind::Refracted
             } else if children.iter().filter(is_refracted).any(has_middle) {
@@ -174,8 +173,8 @@ fn bands(scene: &PackedScene, fan: &Fan, parts: &[[f32; 2]]) -> Vec<[f32; 2]> {
     let mut bands: Vec<[f32; 2]> = Vec::new();
     // The fan's own ends as they are, without the rounding of positions.
     let at = |position: f32| match position {
-        -1.0 => fan.low,
-        1.0 => fan.high,
+        -1.0 => fan.axis.x,
+        1.0 => fan.axis.z,
         _ => axis_position_in(fan, position),
     };
     for part in parts.iter().filter(|part| part[0] < part[1]) {
@@ -193,7 +192,7 @@ fn share(scene: &PackedScene, fan: &Fan, bands_nm: &[[f32; 2]]) -> f32 {
     if bands_nm.is_empty() {
         return 0.0;
     }
-    let width_nm = wavelength_at(scene, fan.high) - wavelength_at(scene, fan.low);
+    let width_nm = wavelength_at(scene, fan.axis.z) - wavelength_at(scene, fan.axis.x);
     let covered_nm: f32 = bands_nm.iter().map(|[low, high]| high - low).sum();
     if width_nm > 0.0 { (covered_nm / width_nm).min(1.0) } else { 0.0 }
 }

@@ -57,6 +57,7 @@ impl Branch for Ray {
             edges: [edge(self.lambda_low_nm), edge(self.lambda_high_nm)],
             lambda_low_nm: self.lambda_low_nm,
             lambda_high_nm: self.lambda_high_nm,
+            central_nm: 0.5 * (self.lambda_low_nm + self.lambda_high_nm),
             significance: self.significance,
             energy: self.significance * self.bandwidth(),
         }
@@ -70,8 +71,7 @@ impl Branch for Ray {
         ray.origin += ray.direction * path_mm;
         let edge_ends_mm =
             [-1.0, 1.0].map(|position| start + (ray.direction + ray.spread * position) * path_mm);
-        let central_nm = 0.5 * (self.lambda_low_nm + self.lambda_high_nm);
-        Meeting { part: *self, hit, ray, path_mm, central_nm, edge_ends_mm }
+        Meeting { part: *self, hit, ray, path_mm, edge_ends_mm }
     }
 
     /// What the kernel's `ray_light` shows the ray.

@@ -266,6 +266,7 @@ impl<'a, B: Branch> Recorder<'a, B> {
             edges: start.edges,
             lambda_low_nm: start.lambda_low_nm,
             lambda_high_nm: start.lambda_high_nm,
+            central_nm: start.central_nm,
             significance: start.significance,
             energy: start.energy,
             end,

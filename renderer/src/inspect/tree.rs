@@ -38,8 +38,8 @@ pub struct RayEdge {
     pub direction: Vec3,
 }
 
-/// One ray of the tree. What has a wavelength of its own, like place and direction, is that of the
-/// middle of its interval.
+/// One ray of the tree. Of what differs between its wavelengths, like place and direction, it tells that
+/// of the central one.
 ///
 /// By exact splitting it is a part of a fan whose wavelengths all meet the same: where they part at the
 /// edge of a facet, the parts stand side by side, each as if the interface before had made it.
@@ -77,6 +77,9 @@ pub struct RecordedRay {
     pub lambda_low_nm: f32,
     /// Its longest wavelength, in nm.
     pub lambda_high_nm: f32,
+    /// The wavelength, in nm, of its middle ray. By the paper's splitting that is halfway; by exact
+    /// splitting as refraction spaces them, or nearer to where total reflection begins.
+    pub central_nm: f32,
     /// What its radiance counts in the pixel: the Fresnel factors so far, before the absorption that
     /// its path has still to pay for.
     pub significance: f32,
@@ -102,11 +105,6 @@ impl RecordedRay {
     pub fn mean_radiance(&self) -> f64 {
         let sum: f64 = self.radiance_per_bin.iter().sum();
         sum / self.radiance_per_bin.len().max(1) as f64
-    }
-
-    /// Wavelength in the middle of its interval, in nm.
-    pub fn central_nm(&self) -> f32 {
-        0.5 * (self.lambda_low_nm + self.lambda_high_nm)
     }
 }
 

@@ -32,7 +32,8 @@ fn write_totals(out: &mut impl Write, tree: &RayTree) -> io::Result<()> {
     let percent = |energy: f64| ray_words::percent(energy as f32);
     let bins = tree.radiance_per_bin.len().max(1);
     let radiance: f64 = tree.radiance_per_bin.iter().map(|&bin| f64::from(bin)).sum();
-    writeln!(out, "pixel {x},{y} of {width}x{height}, pass {}", tree.pass_index)?;
+    let splitting = ray_words::splitting(tree.splitting);
+    writeln!(out, "pixel {x},{y} of {width}x{height}, pass {}, {splitting}", tree.pass_index)?;
     writeln!(out, "{}: {}", ray_words::rays(counts.total()), ray_words::counts(&counts))?;
     writeln!(
         out,

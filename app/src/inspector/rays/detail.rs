@@ -56,7 +56,13 @@ fn figures_ui(ui: &mut Ui, ray: &RecordedRay) {
             ui.label(RichText::new(value).small());
             ui.end_row();
         };
-        row("Interval", format!("{:.2}\u{2013}{:.2} nm", ray.lambda_low_nm, ray.lambda_high_nm));
+        row(
+            "Interval",
+            format!(
+                "{:.2}\u{2013}{:.2} nm, middle ray {:.2} nm",
+                ray.lambda_low_nm, ray.lambda_high_nm, ray.central_nm
+            ),
+        );
         row("Spread", format!("{:.4}\u{b0}", ray.spread_degrees));
         if let Some(path_mm) = ray.path_mm {
             row("Length", format!("{path_mm:.3} mm"));
