@@ -2,7 +2,7 @@
 
 use crate::kernel::band::retire_fan;
 use crate::kernel::divide::{NARROW, divide_fan};
-use crate::kernel::fan::{Fan, is_dispersed, part_of_fan, ray_in_fan};
+use crate::kernel::fan::{Fan, axis_position_in, is_dispersed, part_of_fan, ray_in_fan};
 use crate::kernel::fan_lights::end_at_lights;
 use crate::kernel::fan_matte::shade_fan;
 use crate::kernel::fan_walk::send_fan;
@@ -58,12 +58,11 @@ pub fn segment_count(fan: &Fan) -> u32 {
 /// Sends what is outside of the reached part of the fan back to wait, and gives that part.
 #[inline]
 pub fn send_rest(walk: &mut Walk<'_, Fan>, fan: &Fan, reached: [f32; 2]) -> Fan {
-    let half_width = 0.5 * (fan.high - fan.low);
     let [mut low, mut high] = reached;
-    if (low + 1.0) * half_width <= NARROW {
+    if axis_position_in(fan, low) - fan.axis.x <= NARROW {
         low = -1.0;
     }
-    if (1.0 - high) * half_width <= NARROW {
+    if fan.axis.z - axis_position_in(fan, high) <= NARROW {
         high = 1.0;
     }
     if low == -1.0 && high == 1.0 {
