@@ -35,25 +35,27 @@ const REPEATS: u32 = 100;
 
 fn main() -> Result<(), RendererError> {
     println!(
-        "{:>10} {:>9} {:>12} {:>12} {:>14}",
-        "triangles", "depth", "build ms", "outside ns", "inside ns"
+        "{:>10} {:>7} {:>9} {:>11} {:>10} {:>22} {:>10}",
+        "triangles",
+        "levels",
+        "build ms",
+        "outside ns",
+        "inside ns",
+        "outside ns per log₂ n",
+        "inside"
     );
-    let mut rows = Vec::new();
     for subdivisions in SUBDIVISIONS {
         let row = measure(bumpy_ball(subdivisions)?)?;
+        let doublings = (row.triangles as f64).log2();
         println!(
-            "{:>10} {:>9} {:>12.1} {:>12.0} {:>14.0}",
-            row.triangles, row.depth, row.build_ms, row.outside_ns, row.inside_ns
-        );
-        rows.push(row);
-    }
-    for (what, time) in
-        [("outside", (|row| row.outside_ns) as fn(&Row) -> f64), ("inside", |row| row.inside_ns)]
-    {
-        let (at_one, per_doubling, residual) = fit(&rows, time);
-        println!(
-            "{what}: {at_one:.0} ns + {per_doubling:.1} ns · log₂ n, off by {:.0} % at most",
-            100.0 * residual
+            "{:>10} {:>7} {:>9.1} {:>11.0} {:>10.0} {:>22.1} {:>10.1}",
+            row.triangles,
+            row.depth,
+            row.build_ms,
+            row.outside_ns,
+            row.inside_ns,
+            row.outside_ns / doublings,
+            row.inside_ns / doublings
         );
     }
     Ok(())
@@ -119,22 +121,6 @@ fn follow_inside(scene: &PackedScene, rays: &[Ray]) -> usize {
         black_box(ray);
     }
     count
-}
-
-/// Least squares of time over log₂ n: the time at n = 1, that of each doubling, and the largest
-/// relative distance from the line.
-fn fit(rows: &[Row], time: impl Fn(&Row) -> f64) -> (f64, f64, f64) {
-    let points: Vec<_> =
-        rows.iter().map(|row| ((row.triangles as f64).log2(), time(row))).collect();
-    let count = points.len() as f64;
-    let mean_x = points.iter().map(|(x, _)| x).sum::<f64>() / count;
-    let mean_y = points.iter().map(|(_, y)| y).sum::<f64>() / count;
-    let covariance: f64 = points.iter().map(|(x, y)| (x - mean_x) * (y - mean_y)).sum();
-    let variance: f64 = points.iter().map(|(x, _)| (x - mean_x).powi(2)).sum();
-    let slope = covariance / variance;
-    let start = mean_y - slope * mean_x;
-    let off = points.iter().map(|(x, y)| (y / (start + slope * x) - 1.0).abs());
-    (start, slope, off.fold(0.0, f64::max))
 }
 
 /// An icosahedron whose triangles are divided into four again and again, and then bent outwards to
