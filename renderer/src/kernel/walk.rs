@@ -20,13 +20,14 @@ pub struct TraceRules {
     pub observer: Vec3,
     /// K of the paper.
     pub split_count: f32,
-    /// Significance below which a ray is pruned.
+    /// Significance below which a ray is pruned; of fans the energy, in units of the camera ray's,
+    /// below which they live by chance.
     pub significance_threshold: f32,
     /// Interfaces after which a ray is cut off.
     pub max_depth: u32,
     /// 1 where sub-rays take their own directions.
     pub perturb: u32,
-    /// Energy of a fan, in units of the camera ray's, below which it is not divided any more.
+    /// Energy of a fan below which it is not divided any more.
     pub cut_threshold: f32,
 }
 
