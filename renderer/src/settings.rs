@@ -49,7 +49,7 @@ impl TraceSettings {
     /// Allowed [`roulette_threshold`](Self::roulette_threshold).
     pub const ROULETTE_THRESHOLD: RangeInclusive<f32> = 1e-6..=0.5;
     /// Energy below which a fan is not divided, over that below which it lives by chance.
-    pub const CUT_SHARE: f32 = 2.0;
+    pub const CUT_SHARE: f32 = 3.0;
     /// Allowed [`max_depth`](Self::max_depth).
     pub const MAX_DEPTH: RangeInclusive<u32> = 1..=1024;
     /// Allowed [`bins`](Self::bins).
@@ -64,7 +64,7 @@ impl TraceSettings {
         Self {
             split_count: self.split_count.min(1.0),
             significance_threshold: self.significance_threshold.max(1e-2),
-            roulette_threshold: self.roulette_threshold.max(0.1),
+            roulette_threshold: self.roulette_threshold.max(0.2),
             max_depth: self.max_depth.min(24),
             ..self.clone()
         }
