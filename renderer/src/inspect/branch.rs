@@ -18,21 +18,12 @@ pub(super) trait Branch: Copy {
     /// What the walk of a camera ray begins with.
     fn of_camera_ray(camera_ray: &Ray) -> Self;
 
-    /// Sends it on in a walk.
-    fn send(&self, walk: &mut Walk<'_, Self>);
+    /// Sends it on in a walk as the picture's walk does. From then on it carries what it carries where
+    /// it goes on.
+    fn send(&mut self, kind: RayKind, walk: &mut Walk<'_, Self>) -> Sent;
 
     /// Follows what waits next in a walk.
     fn follow(walk: &mut Walk<'_, Self>);
-
-    /// What becomes of it if it is sent on while `waiting` others wait.
-    fn fate(&self, scene: &PackedScene, rules: &TraceRules, waiting: u32) -> Fate;
-
-    /// Ends it, refracted as it is, if the picture's walk does so as soon as it is sent on; false where
-    /// it waits.
-    fn end_if_sent(&self, walk: &mut Walk<'_, Self>) -> bool;
-
-    /// The energy that it ends with.
-    fn retire(&self, walk: &mut Walk<'_, Self>) -> f32;
 
     /// What is known of it before it is followed.
     fn start(&self, scene: &PackedScene) -> Start;
@@ -45,6 +36,17 @@ pub(super) trait Branch: Copy {
 
     /// How those that an interface has made of it came to be.
     fn kinds(&self, children: &[Self]) -> Vec<RayKind>;
+}
+
+/// What becomes of a branch that is sent on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sent {
+    /// It waits to be followed.
+    Waits,
+    /// It can only meet lights, and has.
+    HasSeenLights,
+    /// It goes into the books.
+    Ends(Fate),
 }
 
 /// Where a branch starts, and what it carries.

@@ -2,17 +2,17 @@
 
 use glam::Vec3;
 
-use super::branch::{Branch, Meeting, SkyView, Start, observer_cone};
+use super::branch::{Branch, Meeting, Sent, SkyView, Start, observer_cone};
 use super::end::{LightKind, SeenLight};
 use super::names::{Name, Names};
 use super::tree::{RayEdge, RayKind};
 use crate::kernel::axis::wavelength_at;
-use crate::kernel::band::{fan_energy, retire_fan};
-use crate::kernel::divide::can_only_meet_lights;
+use crate::kernel::band::fan_energy;
+use crate::kernel::divide::{LEAF_SHARE, can_only_meet_lights};
 use crate::kernel::fan::{Fan, axis_position_in, ray_in_fan};
 use crate::kernel::fan_lights::{end_at_lights, is_fan_far_off, part_in_cone};
 use crate::kernel::fan_trace::{follow_fan, send_rest};
-use crate::kernel::fan_walk::{fate_of_fan, send_fan};
+use crate::kernel::fan_walk::fate_of_fan;
 use crate::kernel::lights::{Cone, disc_cone};
 use crate::kernel::nodes::{Nodes, high_node, low_node, middle_node};
 use crate::kernel::parabola::{crossings, parabola_at, parabola_through};
@@ -35,29 +35,25 @@ impl Branch for Fan {
         Self::white(camera_ray.origin, camera_ray.direction)
     }
 
-    fn send(&self, walk: &mut Walk<'_, Self>) {
-        send_fan(walk, self);
+    /// As `send_fan`, and with what is refracted as `send_refracted`.
+    fn send(&mut self, kind: RayKind, walk: &mut Walk<'_, Self>) -> Sent {
+        let is_leaf = kind == RayKind::Refracted && can_only_meet_lights(walk.scene, self);
+        let share = if is_leaf { LEAF_SHARE } else { 1.0 };
+        match fate_of_fan(walk, self, share * walk.rules.significance_threshold) {
+            Fate::Kept if is_leaf => {
+                end_at_lights(walk, self);
+                Sent::HasSeenLights
+            }
+            Fate::Kept => {
+                walk.push(self);
+                Sent::Waits
+            }
+            fate => Sent::Ends(fate),
+        }
     }
 
     fn follow(walk: &mut Walk<'_, Self>) {
         follow_fan(walk);
-    }
-
-    fn fate(&self, scene: &PackedScene, rules: &TraceRules, waiting: u32) -> Fate {
-        fate_of_fan(scene, rules, self, waiting)
-    }
-
-    fn end_if_sent(&self, walk: &mut Walk<'_, Self>) -> bool {
-        let ends = can_only_meet_lights(walk.scene, self)
-            && self.fate(walk.scene, walk.rules, 0) == Fate::Kept;
-        if ends {
-            end_at_lights(walk, self);
-        }
-        ends
-    }
-
-    fn retire(&self, walk: &mut Walk<'_, Self>) -> f32 {
-        retire_fan(walk, self)
     }
 
     fn start(&self, scene: &PackedScene) -> Start {

@@ -1,6 +1,6 @@
 //! The rays of the paper, as the record sees them.
 
-use super::branch::{Branch, Meeting, SkyView, Start, observer_cone};
+use super::branch::{Branch, Meeting, Sent, SkyView, Start, observer_cone};
 use super::end::{LightKind, SeenLight};
 use super::names::Names;
 use super::tree::{RayEdge, RayKind};
@@ -20,24 +20,14 @@ impl Branch for Ray {
         *camera_ray
     }
 
-    fn send(&self, walk: &mut Walk<'_>) {
+    fn send(&mut self, _: RayKind, walk: &mut Walk<'_>) -> Sent {
+        let fate = fate_of(walk.scene, walk.rules, self, walk.waiting());
         walk.send(self);
+        if fate == Fate::Kept { Sent::Waits } else { Sent::Ends(fate) }
     }
 
     fn follow(walk: &mut Walk<'_>) {
         follow(walk);
-    }
-
-    fn fate(&self, scene: &PackedScene, rules: &TraceRules, waiting: u32) -> Fate {
-        fate_of(scene, rules, self, waiting)
-    }
-
-    fn end_if_sent(&self, _: &mut Walk<'_>) -> bool {
-        false
-    }
-
-    fn retire(&self, walk: &mut Walk<'_>) -> f32 {
-        walk.retire(self)
     }
 
     fn start(&self, _: &PackedScene) -> Start {

@@ -1,6 +1,6 @@
 //! The picture's walk, written down.
 
-use super::branch::{Branch, Meeting, Start};
+use super::branch::{Branch, Meeting, Sent, Start};
 use super::end::{Limit, Offspring, RayEnd, read_end};
 use super::names::Names;
 use super::request::RayTreeRequest;
@@ -73,7 +73,7 @@ struct Waiting<B> {
     id: u32,
 }
 
-/// What the walk that keeps all branches shows of one that is followed.
+/// What is seen of a branch that is followed by a walk that keeps all that comes of it.
 struct Sight<B> {
     meeting: Meeting<B>,
     /// Parts that meet something else: they wait again.
@@ -86,10 +86,6 @@ struct Sight<B> {
 struct Recorder<'a, B> {
     scene: &'a PackedScene,
     rules: &'a TraceRules,
-    /// Rules by which every branch is kept. Where fans are divided is left as it is.
-    open_rules: TraceRules,
-    open_stack: RayStack<B>,
-    open_radiance: Vec<f32>,
     names: Names,
     max_rays: usize,
     /// The branches on the stack of the picture's walk, in the same order.
@@ -105,9 +101,6 @@ impl<'a, B: Branch> Recorder<'a, B> {
         Self {
             scene,
             rules,
-            open_rules: TraceRules { significance_threshold: 0.0, max_depth: u32::MAX, ..*rules },
-            open_stack: B::stack(),
-            open_radiance: vec![0.0; scene.bins.count()],
             names,
             max_rays,
             waiting: Vec::new(),
@@ -117,32 +110,37 @@ impl<'a, B: Branch> Recorder<'a, B> {
         }
     }
 
-    /// Makes the walk of the camera ray, as the picture's tracer does.
+    /// Makes the walk of the camera ray, as the picture's tracer does. What its steps send on is sent
+    /// once more, one by one, in a walk of the same state.
     fn record(
         &mut self,
         walk: &mut Walk<'_, B>,
         camera_ray: &B,
         is_cancelled: &dyn Fn() -> bool,
     ) -> Result<(), RendererError> {
-        self.receive(NONE, RayKind::Camera, camera_ray);
-        camera_ray.send(walk);
+        let (mut open_stack, mut stack) = (B::stack(), B::stack());
+        let mut camera_ray = *camera_ray;
+        camera_ray.send(RayKind::Camera, walk);
+        let id = self.enter(NONE, RayKind::Camera, &camera_ray);
+        self.waiting.push(Waiting { branch: camera_ray, id });
         while let Some(Waiting { branch, id }) = self.waiting.pop() {
             if is_cancelled() {
                 return Err(RendererError::Cancelled);
             }
-            let sight = self.look(&branch);
+            let sight = self.look(&branch, &mut open_stack);
             let mut radiance = walk.radiance.to_vec();
+            let Walk { scene, rules, pass_index, seed, .. } = *walk;
             B::follow(walk);
+            let mut again = Walk::new(scene, rules, pass_index, seed, &mut stack, &mut radiance);
+            for waiting in &self.waiting {
+                again.push(&waiting.branch);
+            }
             for rest in &sight.rest {
-                self.receive_rest(id, rest);
+                self.send_rest(id, rest, &mut again);
             }
             let kinds = sight.meeting.part.kinds(&sight.children);
             for (child, kind) in sight.children.iter().zip(&kinds) {
-                let has_ended = *kind == RayKind::Refracted
-                    && self.receive_ended(id, *kind, child, &mut radiance);
-                if !has_ended {
-                    self.receive(id, *kind, child);
-                }
+                self.send(id, *kind, child, &mut again);
             }
             if id != NONE {
                 self.finish(id, &sight, &kinds, differences(&radiance, walk.radiance));
@@ -151,75 +149,86 @@ impl<'a, B: Branch> Recorder<'a, B> {
         Ok(())
     }
 
-    /// Follows the branch by rules that keep all that comes of it.
-    fn look(&mut self, branch: &B) -> Sight<B> {
-        self.open_radiance.fill(0.0);
-        let Self { scene, open_rules, open_stack, open_radiance, .. } = self;
-        let meeting =
-            branch.meet(&mut Walk::new(scene, open_rules, 0, 0, open_stack, open_radiance));
-        let mut walk = Walk::new(scene, open_rules, 0, 0, open_stack, open_radiance);
-        walk.holds_exits = true;
-        branch.send(&mut walk);
+    /// Follows the branch by a walk that keeps all that comes of it.
+    fn look(&self, branch: &B, stack: &mut RayStack<B>) -> Sight<B> {
+        let mut radiance = vec![0.0; self.scene.bins.count()];
+        let mut walk = Walk::new(self.scene, self.rules, 0, 0, stack, &mut radiance);
+        walk.keeps_all = true;
+        let meeting = branch.meet(&mut walk);
+        let mut walk = Walk::new(self.scene, self.rules, 0, 0, stack, &mut radiance);
+        walk.keeps_all = true;
+        walk.push(branch);
         B::follow(&mut walk);
         let tally = walk.tally;
         let mut sent: Vec<_> = std::iter::from_fn(|| walk.has_rays().then(|| walk.pop())).collect();
         sent.reverse();
-        let depth = branch.start(scene).depth;
-        let (rest, children) = sent.into_iter().partition(|sent| sent.start(scene).depth == depth);
+        let depth = |branch: &B| branch.start(self.scene).depth;
+        let (rest, children) = sent.into_iter().partition(|sent| depth(sent) == depth(branch));
         Sight { meeting, rest, children, tally }
     }
 
-    /// Takes a branch that is sent on into the record, and where the rules keep it among those that
-    /// wait. Its place in the record, or [`NONE`].
-    fn receive(&mut self, parent: u32, kind: RayKind, branch: &B) -> u32 {
-        let fate = branch.fate(self.scene, self.rules, self.waiting.len() as u32);
-        let id = self.enter(parent, kind, branch, fate);
-        if fate == Fate::Kept {
-            self.waiting.push(Waiting { branch: *branch, id });
+    /// What the recorded branch `id` came of, and how.
+    fn origin_of(&self, id: u32) -> (u32, RayKind) {
+        let recorded = self.rays.get(id as usize);
+        recorded.map_or((NONE, RayKind::Camera), |ray| (ray.parent.unwrap_or(NONE), ray.kind))
+    }
+
+    /// Sends a branch on in `walk`, and takes it into the record. Its place there, or [`NONE`] where
+    /// there is none left.
+    fn send(&mut self, parent: u32, kind: RayKind, branch: &B, walk: &mut Walk<'_, B>) -> u32 {
+        let before = walk.radiance.to_vec();
+        walk.tally = Tally::default();
+        let mut sent = *branch;
+        let outcome = sent.send(kind, walk);
+        let id = self.enter(parent, kind, &sent);
+        if outcome == Sent::Waits {
+            self.waiting.push(Waiting { branch: sent, id });
+        }
+        let Some(recorded) = self.rays.get_mut(id as usize) else { return id };
+        recorded.energy_gained = recorded.energy - branch.start(self.scene).energy;
+        recorded.energy_absorbed = walk.tally.absorbed;
+        match outcome {
+            Sent::Waits => {}
+            Sent::HasSeenLights => {
+                recorded.end = sent.sky_view(self.scene, self.rules, &self.names).into_end();
+                recorded.energy_at_end = walk.tally.returned;
+                recorded.radiance_per_bin = differences(&before, walk.radiance);
+            }
+            Sent::Ends(Fate::TooWeak) => {
+                recorded.end = RayEnd::Pruned;
+                recorded.energy_at_end = walk.tally.pruned;
+            }
+            Sent::Ends(fate) => {
+                let limit = if fate == Fate::TooDeep { Limit::Depth } else { Limit::Stack };
+                recorded.end = RayEnd::CutOff { limit };
+                recorded.energy_at_end = walk.tally.cut_off;
+            }
         }
         id
     }
 
-    /// Takes a part of the branch at `id` that waits again into the record, as one of its own.
-    fn receive_rest(&mut self, id: u32, rest: &B) {
-        let (mut parent, mut kind) = (NONE, RayKind::Camera);
-        if let Some(recorded) = self.rays.get(id as usize) {
-            (parent, kind) = (recorded.parent.unwrap_or(NONE), recorded.kind);
-        }
-        let part = self.receive(parent, kind, rest);
+    /// As `send`, with a part of the branch `id` that waits again: it came of the same.
+    fn send_rest(&mut self, id: u32, rest: &B, walk: &mut Walk<'_, B>) {
+        let (parent, kind) = self.origin_of(id);
+        let gained = self.gained_share(id) * rest.start(self.scene).energy;
+        let part = self.send(parent, kind, rest, walk);
         if part != NONE {
             self.wholes[part as usize] = self.wholes[id as usize];
+            self.rays[part as usize].energy_gained += gained;
         }
     }
 
-    /// Takes a branch into the record that ends as soon as it is sent on, and adds what it sees to
-    /// `radiance`; false where it does not.
-    fn receive_ended(
-        &mut self,
-        parent: u32,
-        kind: RayKind,
-        branch: &B,
-        radiance: &mut [f32],
-    ) -> bool {
-        let before = radiance.to_vec();
-        let mut walk = Walk::new(self.scene, self.rules, 0, 0, &mut self.open_stack, radiance);
-        if !branch.end_if_sent(&mut walk) {
-            return false;
-        }
-        let tally = walk.tally;
-        let id = self.enter(parent, kind, branch, Fate::Kept);
-        if let Some(recorded) = self.rays.get_mut(id as usize) {
-            recorded.end = branch.sky_view(self.scene, self.rules, &self.names).into_end();
-            write_account(recorded, &tally, differences(&before, radiance));
-        }
-        true
+    /// How much of the energy of the recorded branch `id` was not its own.
+    fn gained_share(&self, id: u32) -> f32 {
+        let recorded = self.rays.get(id as usize);
+        recorded.map_or(0.0, |ray| ray.energy_gained / ray.energy.max(f32::MIN_POSITIVE))
     }
 
     /// Takes a branch into the record. Its place there, or [`NONE`] where there is none left.
-    fn enter(&mut self, parent: u32, kind: RayKind, branch: &B, fate: Fate) -> u32 {
+    fn enter(&mut self, parent: u32, kind: RayKind, branch: &B) -> u32 {
         let id = self.rays.len() as u32;
         if self.rays.len() < self.max_rays && (parent != NONE || self.rays.is_empty()) {
-            let recorded = self.begin(id, parent, kind, branch, fate);
+            let recorded = self.begin(id, parent, kind, branch);
             self.rays.push(recorded);
             self.wholes.push(id);
             return id;
@@ -231,24 +240,8 @@ impl<'a, B: Branch> Recorder<'a, B> {
         NONE
     }
 
-    /// What is known of a branch before it is followed.
-    fn begin(
-        &mut self,
-        id: u32,
-        parent: u32,
-        kind: RayKind,
-        branch: &B,
-        fate: Fate,
-    ) -> RecordedRay {
-        let end = match fate {
-            // Until it is followed.
-            Fate::Kept => RayEnd::Lost,
-            Fate::TooWeak => RayEnd::Pruned,
-            Fate::TooDeep => RayEnd::CutOff { limit: Limit::Depth },
-            Fate::TooMany => RayEnd::CutOff { limit: Limit::Stack },
-        };
-        let [energy_at_end, energy_absorbed] =
-            if fate == Fate::Kept { [0.0; 2] } else { self.retire(branch) };
+    /// What is known of a branch before it ends.
+    fn begin(&mut self, id: u32, parent: u32, kind: RayKind, branch: &B) -> RecordedRay {
         let start = branch.start(self.scene);
         RecordedRay {
             id,
@@ -269,20 +262,14 @@ impl<'a, B: Branch> Recorder<'a, B> {
             central_nm: start.central_nm,
             significance: start.significance,
             energy: start.energy,
-            end,
-            energy_at_end,
-            energy_absorbed,
+            energy_gained: 0.0,
+            // Until it ends.
+            end: RayEnd::Lost,
+            energy_at_end: 0.0,
+            energy_absorbed: 0.0,
             radiance_per_bin: Vec::new(),
             unrecorded_children: 0,
         }
-    }
-
-    /// The energy that a branch ends with, and what its path has absorbed.
-    fn retire(&mut self, branch: &B) -> [f32; 2] {
-        let (stack, radiance) = (&mut self.open_stack, &mut self.open_radiance);
-        let mut walk = Walk::new(self.scene, &self.open_rules, 0, 0, stack, radiance);
-        let energy = branch.retire(&mut walk);
-        [energy, walk.tally.absorbed]
     }
 
     /// What is known of a branch after it was followed: from now on it is the part that went on.
@@ -297,12 +284,18 @@ impl<'a, B: Branch> Recorder<'a, B> {
             })
             .collect();
         let end = read_end(self.scene, self.rules, &mut self.names, meeting, &offspring);
+        let (parent, kind) = self.origin_of(id);
+        let part = self.begin(id, parent, kind, &meeting.part);
         let whole = &self.rays[id as usize];
-        let (parent, kind) = (whole.parent.unwrap_or(NONE), whole.kind);
-        let unrecorded_children = whole.unrecorded_children;
-        let mut recorded = self.begin(id, parent, kind, &meeting.part, Fate::Kept);
-        recorded.unrecorded_children = unrecorded_children;
-        recorded.end = end;
+        let mut recorded = RecordedRay {
+            end,
+            energy_gained: self.gained_share(id) * part.energy,
+            energy_at_end: tally.returned + tally.lost,
+            energy_absorbed: tally.absorbed,
+            radiance_per_bin,
+            unrecorded_children: whole.unrecorded_children,
+            ..part
+        };
         if meeting.hit.instance != NONE {
             recorded.end_mm = Some(meeting.ray.origin);
             recorded.path_mm = Some(meeting.path_mm);
@@ -310,16 +303,8 @@ impl<'a, B: Branch> Recorder<'a, B> {
                 edge.end_mm = Some(end_mm);
             }
         }
-        write_account(&mut recorded, tally, radiance_per_bin);
         self.rays[id as usize] = recorded;
     }
-}
-
-/// Writes down what a branch that was followed ended with.
-fn write_account(recorded: &mut RecordedRay, tally: &Tally, radiance_per_bin: Vec<f64>) {
-    recorded.energy_at_end = tally.returned + tally.lost;
-    recorded.energy_absorbed = tally.absorbed;
-    recorded.radiance_per_bin = radiance_per_bin;
 }
 
 /// What was added to each value; nothing where that is nothing in all.

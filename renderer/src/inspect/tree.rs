@@ -86,6 +86,10 @@ pub struct RecordedRay {
     /// The part of the camera ray's energy that it starts with: the significance of its wavelengths
     /// times its part of the spectrum.
     pub energy: f32,
+    /// The part of that which was not its own: by exact splitting a weak ray is ended or lives on by
+    /// chance, and one that lives carries the energy of those that do not. It is taken from what is
+    /// booked as pruned.
+    pub energy_gained: f32,
     /// What ended it.
     pub end: RayEnd,
     /// The part of the camera ray's energy that it ended with, which goes into the account that `end`

@@ -21,7 +21,7 @@ use crate::error::RendererError;
 use crate::film::{Film, PixelRect};
 use crate::kernel::walk::TraceRules;
 use crate::packed::PackedScene;
-use crate::settings::TraceSettings;
+use crate::settings::{Splitting, TraceSettings};
 use crate::spectrum::Bins;
 use crate::statistics::Statistics;
 
@@ -108,17 +108,17 @@ impl View {
     }
 }
 
-/// The energy below which a fan is not divided, over the significance below which it is pruned.
-const CUT_SHARE: f32 = 0.2;
-
 /// The rules by which the settings want rays followed.
 pub(crate) fn rules(view: &View, settings: &TraceSettings) -> TraceRules {
     TraceRules {
         observer: view.observer,
         split_count: settings.split_count,
-        significance_threshold: settings.significance_threshold,
+        significance_threshold: match settings.splitting {
+            Splitting::Paper => settings.significance_threshold,
+            Splitting::Exact => settings.roulette_threshold,
+        },
         max_depth: settings.max_depth,
         perturb: u32::from(settings.perturb),
-        cut_threshold: CUT_SHARE * settings.significance_threshold,
+        cut_threshold: TraceSettings::CUT_SHARE * settings.roulette_threshold,
     }
 }

@@ -61,6 +61,9 @@ fn write_ray(out: &mut impl Write, ray: &RecordedRay) -> io::Result<()> {
         ray.significance,
         indent = 2 * steps,
     )?;
+    if ray.energy_gained > 0.0 {
+        write!(out, " ({:.3e} of its energy gained by chance)", ray.energy_gained)?;
+    }
     if ray.spread_degrees > 0.0 {
         write!(out, ", spread {:.3}°", ray.spread_degrees)?;
     }

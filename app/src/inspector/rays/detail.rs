@@ -68,6 +68,10 @@ fn figures_ui(ui: &mut Ui, ray: &RecordedRay) {
             row("Length", format!("{path_mm:.3} mm"));
         }
         row("Significance", number(ray.significance));
+        if ray.energy_gained > 0.0 {
+            let factor = ray.energy / (ray.energy - ray.energy_gained).max(f32::MIN_POSITIVE);
+            row("By chance", format!("lives, and carries {factor:.2} times its light"));
+        }
         if let RayEnd::Interface(event) = &ray.end {
             row("Interface", ray_words::interface(event));
         } else {
