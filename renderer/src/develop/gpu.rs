@@ -138,6 +138,7 @@ pub(super) fn source(modules: &[ShaderModule]) -> String {
         ("FILMIC", Constant::U32(ToneCurve::Filmic as u32)),
         ("REINHARD_WHITE", Constant::F32(REINHARD_WHITE)),
         ("COUNTS_LEN", Constant::U32(Counts::LEN as u32)),
+        ("SAMPLES", Constant::U32(Counts::SAMPLES as u32)),
         ("KNOTS", Constant::U32(KNOTS as u32)),
     ]);
     append(&mut source, modules);

@@ -263,8 +263,8 @@ impl<F> Exposure<F> {
         if known.is_none_or(|(_, passes)| passes != self.passes) {
             // A draft is quick, but the round after it may not be.
             let is_quick = self.round_seconds <= QUICK_ROUND_SECONDS && !film.is_draft;
-            let sums = if is_done || is_quick { None } else { tracer.copy_sums(&self.film) };
-            let copy = sums.map(|sums| FilmCopy { sums, state: film });
+            let means = if is_done || is_quick { None } else { tracer.copy_means(&self.film) };
+            let copy = means.map(|means| FilmCopy { means, state: film });
             let old = lock(&shared.watch).keep(copy);
             drop(old);
         }

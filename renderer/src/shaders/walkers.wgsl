@@ -136,15 +136,20 @@ fn complete_item() {
         return;
     }
     let pixel = item % frame.pixel_count;
+    var sum = 0.0;
     for (var bin = 0u; bin < frame.bin_count; bin++) {
         let value = radiance[walk.walker * frame.bin_count + bin];
         add_to_film(pixel * frame.bin_count + bin, value);
+        sum += value;
     }
+    let mean = sum / f32(frame.bin_count);
     book_tally();
     let counts_at = frame.pixel_count * frame.bin_count + pixel * COUNTS_LEN;
     add_to_film(counts_at, f32(item_counts.segments));
     add_to_film(counts_at + 1u, f32(item_counts.depth));
     add_to_film(counts_at + 2u, item_counts.pruned);
+    add_to_film(counts_at + 3u, 1.0);
+    add_to_film(counts_at + 4u, mean * mean);
     books.items += 1u;
     books.max_segments = max(books.max_segments, item_counts.segments);
     item = NONE;

@@ -66,6 +66,7 @@ impl CpuTracer {
                 .enumerate()
                 .map_init(RayStack::new, |stack, (strip, (sums, counts))| {
                     let mut statistics = Statistics::default();
+                    let mut radiance = vec![0.0; bins];
                     let pixels = sums.chunks_exact_mut(bins).zip(counts);
                     for (i, (pixel, counts)) in pixels.enumerate() {
                         if is_cancelled() {
@@ -74,10 +75,14 @@ impl CpuTracer {
                         let number = (strip * STRIP_PIXELS + i) as u32;
                         let (x, y) = (number % size[0], number / size[0]);
                         let seed = pixel_seed(x, y);
-                        let mut walk = Walk::new(scene, &rules, pass_index, seed, stack, pixel);
+                        radiance.fill(0.0);
+                        let mut walk =
+                            Walk::new(scene, &rules, pass_index, seed, stack, &mut radiance);
                         trace(&mut walk, &camera_ray(&view.frame, size, x, y, pass_index));
-                        *counts += Counts::from(&walk.tally);
-                        statistics += pixel_statistics(&walk.tally);
+                        let tally = walk.tally;
+                        pixel.iter_mut().zip(&radiance).for_each(|(sum, found)| *sum += found);
+                        *counts += Counts::of_sample(&tally, &radiance);
+                        statistics += pixel_statistics(&tally);
                     }
                     Some(statistics)
                 })
@@ -141,8 +146,8 @@ impl Tracer for CpuTracer {
         Ok(self.pool.install(|| film.mean_spectrum(rect)))
     }
 
-    fn copy_sums(&self, film: &Film) -> Option<Vec<f32>> {
-        Some(film.sums().to_vec())
+    fn copy_means(&self, film: &Film) -> Option<Vec<f32>> {
+        Some(film.means())
     }
 
     fn read(&self, film: Film) -> Result<Film, RendererError> {

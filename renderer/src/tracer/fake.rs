@@ -173,8 +173,8 @@ impl Tracer for FakeTracer {
         self.cpu.mean_spectrum(film, rect)
     }
 
-    fn copy_sums(&self, film: &Film) -> Option<Vec<f32>> {
-        self.cpu.copy_sums(film)
+    fn copy_means(&self, film: &Film) -> Option<Vec<f32>> {
+        self.cpu.copy_means(film)
     }
 
     fn read(&self, film: Film) -> Result<Film, RendererError> {

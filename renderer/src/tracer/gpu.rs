@@ -132,16 +132,15 @@ impl Tracer for GpuTracer {
 
     fn expose(&self, film: &GpuFilm) -> Result<LatentImage, RendererError> {
         let (size, bins) = (film.size(), film.bins());
-        let (light, counts) = self.developer.expose(size, bins, film.passes(), film.bands())?;
+        let (light, counts) = self.developer.expose(size, bins, film.bands())?;
         Ok(LatentImage::Graphics { light, counts })
     }
 
     fn mean_spectrum(&self, film: &GpuFilm, rect: PixelRect) -> Result<Vec<f32>, RendererError> {
-        let (bins, passes) = (film.bins(), film.passes());
-        self.developer.mean_spectrum(film.size(), bins, passes, film.bands(), rect)
+        self.developer.mean_spectrum(film.size(), film.bins(), film.bands(), rect)
     }
 
-    fn copy_sums(&self, _film: &GpuFilm) -> Option<Vec<f32>> {
+    fn copy_means(&self, _film: &GpuFilm) -> Option<Vec<f32>> {
         None
     }
 

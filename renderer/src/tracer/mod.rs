@@ -80,9 +80,8 @@ pub trait Tracer {
     /// The device fails.
     fn mean_spectrum(&self, film: &Self::Film, rect: PixelRect) -> Result<Vec<f32>, RendererError>;
 
-    /// A copy of the film's radiance sums in the processor's memory, to be read while the film is
-    /// traced on. None where the film is elsewhere; passes are short there.
-    fn copy_sums(&self, film: &Self::Film) -> Option<Vec<f32>>;
+    /// A copy of the film's means in the processor's memory, to be read while the film is traced on. None where the film is elsewhere; passes are short there.
+    fn copy_means(&self, film: &Self::Film) -> Option<Vec<f32>>;
 
     /// The film in the processor's memory.
     ///

@@ -1,0 +1,3 @@
+//! Where camera rays go: the points of a pixel, the noise that is left, and which pixels need more.
+
+mod sequence;
