@@ -1,9 +1,15 @@
 //! The film: sums of spectral radiance per pixel, and of what it took to find them.
 
 mod counts;
+mod noise;
 mod region;
 
 pub use counts::Counts;
+pub use noise::next_measurement;
+pub(crate) use noise::{
+    BUCKETS, BUCKETS_PER_OCTAVE, ERROR_PER_DEVIATION, LOG2_LEAST, NoiseHistogram,
+    typical_brightness,
+};
 pub use region::{PixelRect, Region};
 
 use rayon::prelude::*;
@@ -23,23 +29,26 @@ pub struct Film {
     passes: u32,
     sums: Vec<f32>,
     counts: Vec<Counts>,
+    /// Pixels that passes leave out.
+    settled: Vec<bool>,
 }
 
 impl Film {
     /// Largest film of a still in bytes: 8192×8192 pixels of 16 bins.
     pub const MAX_BYTES: u64 = Self::bytes([8192, 8192], 16);
 
-    /// Memory that a film of this size needs.
+    /// Memory that a film of this size needs, wherever it is: a graphics device takes a word to mark
+    /// a pixel.
     pub const fn bytes([width, height]: [u32; 2], bins: u32) -> u64 {
-        let pixel = bins as u64 * size_of::<f32>() as u64 + size_of::<Counts>() as u64;
-        width as u64 * height as u64 * pixel
+        let pixel = bins as usize * size_of::<f32>() + size_of::<Counts>() + size_of::<u32>();
+        width as u64 * height as u64 * pixel as u64
     }
 
     /// An empty film.
     pub fn new(width: u32, height: u32, bins: Bins) -> Self {
         let pixels = width as usize * height as usize;
         let (sums, counts) = (vec![0.0; pixels * bins.count()], vec![Counts::default(); pixels]);
-        Self { width, height, bins, passes: 0, sums, counts }
+        Self { width, height, bins, passes: 0, sums, counts, settled: vec![false; pixels] }
     }
 
     /// A film of `passes` passes that were summed up elsewhere.
@@ -55,7 +64,7 @@ impl Film {
         let pixels = width as usize * height as usize;
         assert_eq!(sums.len(), pixels * bins.count(), "sums of a film");
         assert_eq!(counts.len(), pixels, "counts of a film");
-        Self { width, height, bins, passes, sums, counts }
+        Self { width, height, bins, passes, sums, counts, settled: vec![false; pixels] }
     }
 
     /// Width and height in pixels.
@@ -72,6 +81,7 @@ impl Film {
     pub fn clear(&mut self) {
         self.sums.fill(0.0);
         self.counts.fill(Counts::default());
+        self.settled.fill(false);
         self.passes = 0;
     }
 
@@ -98,6 +108,11 @@ impl Film {
     /// The same with the counts.
     pub fn sums_and_counts_mut(&mut self) -> (&mut [f32], &mut [Counts]) {
         (&mut self.sums, &mut self.counts)
+    }
+
+    /// The same, and which pixels the pass is to leave out.
+    pub(crate) fn parts_mut(&mut self) -> (&mut [f32], &mut [Counts], &[bool]) {
+        (&mut self.sums, &mut self.counts, &self.settled)
     }
 
     /// Counts the pass that was added to the sums.

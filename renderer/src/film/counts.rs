@@ -29,6 +29,8 @@ impl Counts {
     pub const LEN: usize = size_of::<Self>() / size_of::<f32>();
     /// Which of them is the number of camera rays.
     pub(crate) const SAMPLES: usize = offset_of!(Self, samples) / size_of::<f32>();
+    /// Which of them is the sum of squares.
+    pub(crate) const SQUARES: usize = offset_of!(Self, squares) / size_of::<f32>();
 
     /// The counts of one camera ray that found this radiance per bin.
     #[inline]

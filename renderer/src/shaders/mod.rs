@@ -69,6 +69,12 @@ pub(crate) const EXPOSE: &[ShaderModule] = modules!["finite", "expose"];
 /// From the film to the sums of a region.
 pub(crate) const REGION: &[ShaderModule] = modules!["finite", "region"];
 
+/// From the film to how bright its pixels are in the mean.
+pub(crate) const ROOTS: &[ShaderModule] = modules!["finite", "brightness", "roots"];
+
+/// From the film to its noise.
+pub(crate) const NOISE: &[ShaderModule] = modules!["finite", "brightness", "noise"];
+
 /// From CIE XYZ to sRGB codes.
 pub(crate) const DEVELOP: &[ShaderModule] =
     modules!["finite", "tone_curve", "gamut", "srgb8", "development"];

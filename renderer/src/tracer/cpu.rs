@@ -11,7 +11,7 @@ use crate::kernel::camera::{camera_ray, pixel_seed};
 use crate::kernel::trace::trace;
 use crate::kernel::walk::{RayStack, Tally, Walk};
 use crate::packed::PackedScene;
-use crate::settings::TraceSettings;
+use crate::settings::{NoiseGoal, TraceSettings};
 use crate::spectrum::Bins;
 use crate::statistics::{Ledger, Statistics};
 
@@ -44,7 +44,7 @@ impl CpuTracer {
         self.pool.current_num_threads()
     }
 
-    /// Traces one camera ray per pixel and adds what it finds to `film`. The film's bits depend
+    /// Traces one camera ray per pixel that is not settled and adds what it finds to `film`. The film's bits depend
     /// only on the arguments and the number of the pass, not on the threads.
     ///
     /// Returns `None` where `is_cancelled` came true, asked before every pixel; the film is then
@@ -60,7 +60,7 @@ impl CpuTracer {
         let (rules, pass_index) = (rules(view, settings), film.passes());
         let (size, bins) = (film.size(), film.bins().count());
         let strips = self.pool.install(|| {
-            let (sums, counts) = film.sums_and_counts_mut();
+            let (sums, counts, settled) = film.parts_mut();
             sums.par_chunks_mut(STRIP_PIXELS * bins)
                 .zip(counts.par_chunks_mut(STRIP_PIXELS))
                 .enumerate()
@@ -73,6 +73,9 @@ impl CpuTracer {
                             return None;
                         }
                         let number = (strip * STRIP_PIXELS + i) as u32;
+                        if settled[number as usize] {
+                            continue;
+                        }
                         let (x, y) = (number % size[0], number / size[0]);
                         let seed = pixel_seed(x, y);
                         radiance.fill(0.0);
@@ -144,6 +147,10 @@ impl Tracer for CpuTracer {
 
     fn mean_spectrum(&self, film: &Film, rect: PixelRect) -> Result<Vec<f32>, RendererError> {
         Ok(self.pool.install(|| film.mean_spectrum(rect)))
+    }
+
+    fn measure_noise(&self, film: &mut Film, goal: NoiseGoal) -> Result<f32, RendererError> {
+        Ok(self.pool.install(|| film.measure_noise(goal)))
     }
 
     fn copy_means(&self, film: &Film) -> Option<Vec<f32>> {

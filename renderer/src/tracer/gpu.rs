@@ -22,7 +22,7 @@ use crate::error::RendererError;
 use crate::film::{Film, PixelRect};
 use crate::gpu::Graphics;
 use crate::packed::PackedScene;
-use crate::settings::TraceSettings;
+use crate::settings::{NoiseGoal, TraceSettings};
 use crate::spectrum::Bins;
 use crate::statistics::Statistics;
 
@@ -138,6 +138,10 @@ impl Tracer for GpuTracer {
 
     fn mean_spectrum(&self, film: &GpuFilm, rect: PixelRect) -> Result<Vec<f32>, RendererError> {
         self.developer.mean_spectrum(film.size(), film.bins(), film.bands(), rect)
+    }
+
+    fn measure_noise(&self, film: &mut GpuFilm, goal: NoiseGoal) -> Result<f32, RendererError> {
+        self.developer.measure_noise(film.size(), film.bins(), film.bands(), goal)
     }
 
     fn copy_means(&self, _film: &GpuFilm) -> Option<Vec<f32>> {

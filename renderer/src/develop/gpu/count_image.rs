@@ -40,7 +40,7 @@ impl GpuCountImage {
                 BindingResource::TextureView(&counted),
                 BindingResource::TextureView(&written),
             ];
-            developer.submit(device, &developer.heat, [(size, resources)]);
+            developer.submit(device, &developer.pipelines.heat, [(size, resources)]);
             developed
         })
     }

@@ -15,7 +15,8 @@ pub struct Band {
     /// Number of rows.
     pub rows: u32,
     /// Sums as f32: radiance row by row, the bins of a pixel side by side, and behind those of all
-    /// rows the [`Counts`](crate::film::Counts) of each pixel. Its usage has `STORAGE`.
+    /// rows the [`Counts`](crate::film::Counts) of each pixel; behind those, where it is traced on,
+    /// a word per pixel that is 1 where the pixel is settled. Its usage has `STORAGE`.
     pub buffer: wgpu::Buffer,
 }
 
@@ -72,7 +73,7 @@ impl GpuDeveloper {
                 ];
                 ([size[0], band.rows], resources)
             });
-            self.submit(device, &self.expose, runs);
+            self.submit(device, &self.pipelines.expose, runs);
             textures
         })?;
         let counts = GpuCountImage::new(self.clone(), counted);

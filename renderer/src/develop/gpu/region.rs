@@ -83,7 +83,7 @@ impl GpuDeveloper {
                 let resources = [uniform, &band.buffer, &sums].map(wgpu::Buffer::as_entire_binding);
                 ([rows.bin_count, rows.row_count], resources.to_vec())
             });
-            self.submit(device, &self.sum_rows, runs);
+            self.submit(device, &self.pipelines.sum_rows, runs);
             sums
         })?;
         let bytes = self.graphics.read_buffer(&sums)?;
