@@ -111,7 +111,7 @@ impl NoiseGoal {
 
 impl Default for NoiseGoal {
     fn default() -> Self {
-        Self { target: 0.01, is_adaptive: true }
+        Self { target: 0.02, is_adaptive: true }
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! What a camera ray finds is taken as one number, its radiance as the mean over the bins, since
 //! nothing before developing knows an observer. A pixel whose *n* camera rays found numbers of mean
-//! *m* and variance *v* is off by about 2·√v·n^(−3/4): the points of a pixel are scrambled nets,
+//! *m* and variance *v* is off by about 1.25·√v·n^(−3/4): the points of a pixel are scrambled nets,
 //! which at an edge do better than chance by n^(−1/4) (Owen 1997; the factor is measured on diamonds).
 //! That is divided by *m* + *t*, where *t* is the square of the mean of √m over the film: what is
 //! tolerable in the dark depends on the whole picture, but little on its few brightest pixels.
@@ -27,7 +27,7 @@ pub(crate) const BUCKETS_PER_OCTAVE: f32 = 8.0;
 /// Buckets of the histogram, the first of which holds what is less than the least noise.
 pub(crate) const BUCKETS: usize = 128;
 /// Of error per standard deviation, where there is one camera ray.
-pub(crate) const ERROR_PER_DEVIATION: f32 = 2.0;
+pub(crate) const ERROR_PER_DEVIATION: f32 = 1.25;
 /// Part of the pixels whose noise that of the film is no less than.
 const SHARE: f64 = 0.99;
 
