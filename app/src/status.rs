@@ -46,7 +46,7 @@ fn progress_ui(ui: &mut Ui, progress: &Progress, shown: Shown) {
             ui,
             &percent(noise.into()),
             "noise",
-            "What 99 of 100 pixels may still be off, as part of their light and the picture's.",
+            "What 98 of 100 pixels may still be off, as part of their light and the picture's.",
         );
     }
     value(

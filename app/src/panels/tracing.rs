@@ -70,7 +70,7 @@ pub(crate) fn noise_ui(ui: &mut Ui, noise: &mut NoiseGoal) {
     let default = NoiseGoal::default();
     SliderRow::new(
         "Noise target",
-        "The picture is finished before its last pass when 99 of 100 pixels have no more noise than \
+        "The picture is finished before its last pass when 98 of 100 pixels have no more noise than \
          this part of their light; 0 asks for all passes.",
         wide(&NoiseGoal::TARGET),
         default.target,

@@ -57,7 +57,7 @@ impl GpuDeveloper {
         let roots: f64 = sums.into_iter().map(|sum| f64::from(f32::from_bits(sum))).sum();
         rows.typical_brightness = typical_brightness(roots, width as usize * height as usize);
         let counts = self.run_over(&self.pipelines.noise, rows, bands, width, BUCKETS as u32)?;
-        Ok(NoiseHistogram::of_counts(counts).percentile_99())
+        Ok(NoiseHistogram::of_counts(counts).percentile_98())
     }
 
     /// What `pipeline` makes of all bands, in `columns` columns each: `words` words, which are 0
