@@ -21,7 +21,7 @@ type Value = fn(&RenderRequest) -> f64;
 #[test]
 fn every_tracing_slider_changes_the_request() {
     let mut harness = harness();
-    let cases: [(&str, f64, f64, Value); 14] = [
+    let cases: [(&str, f64, f64, Value); 15] = [
         ("Diameter", 8.25, 8.25, |r| f64::from(brilliant(r).diameter_mm)),
         ("Table", 60.0, 0.6, |r| f64::from(brilliant(r).table)),
         ("Crown angle", 32.5, 32.5, |r| f64::from(brilliant(r).crown_angle_degrees)),
@@ -35,6 +35,7 @@ fn every_tracing_slider_changes_the_request() {
         ("Maximum depth", 12.0, 12.0, |r| f64::from(r.trace.max_depth)),
         ("Spectral bins", 32.0, 32.0, |r| f64::from(r.trace.bins)),
         ("Passes", 100.0, 100.0, |r| f64::from(r.pass_limit)),
+        ("Noise target", 5.0, 0.05, |r| f64::from(r.noise.target)),
         ("Ambient", 0.5, 0.5, |r| f64::from(r.scene.lights.hemisphere.as_ref().unwrap().radiance)),
     ];
     for (label, shown, expected, value) in cases {
@@ -45,6 +46,19 @@ fn every_tracing_slider_changes_the_request() {
         let value = value(&after);
         assert!((value - expected).abs() < 1e-6 * expected, "{label} is {value}, not {expected}");
     }
+}
+
+#[test]
+fn passes_and_noise_carry_on_with_the_film() {
+    let mut harness = harness();
+    let before = request(&harness);
+    set(&mut harness, "Passes", 100.0);
+    set(&mut harness, "Noise target", 3.0);
+    harness.get_by_role_and_label(Role::CheckBox, "Adaptive").click();
+    harness.run_steps(2);
+    let after = request(&harness);
+    assert_ne!(before.noise.is_adaptive, after.noise.is_adaptive);
+    assert!(before != after && before.makes_same_film(&after));
 }
 
 #[test]

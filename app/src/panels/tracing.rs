@@ -1,6 +1,7 @@
 //! How the picture is traced.
 
-use brilliance_renderer::settings::TraceSettings;
+use brilliance_renderer::scene_file::StillSettings;
+use brilliance_renderer::settings::{NoiseGoal, TraceSettings};
 use eframe::egui::Ui;
 
 use crate::row::{SliderRow, switch, whole, wide};
@@ -9,7 +10,7 @@ use crate::row::{SliderRow, switch, whole, wide};
 pub(crate) const MAX_PASSES: u32 = 4096;
 
 /// Shows the section.
-pub(super) fn show(ui: &mut Ui, trace: &mut TraceSettings, passes: &mut u32) {
+pub(super) fn show(ui: &mut Ui, trace: &mut TraceSettings, still: &mut StillSettings) {
     let default = TraceSettings::default();
     SliderRow::new(
         "Split count",
@@ -45,19 +46,42 @@ pub(super) fn show(ui: &mut Ui, trace: &mut TraceSettings, passes: &mut u32) {
     )
     .unit(" bands")
     .show_u32(ui, &mut trace.bins);
+    let default = StillSettings::default();
     SliderRow::new(
         "Passes",
         "After how many rays per pixel the picture is finished; more make its edges smoother.",
         1.0..=f64::from(MAX_PASSES),
-        64.0,
+        default.passes,
     )
     .logarithmic()
-    .show_u32(ui, passes);
+    .show_u32(ui, &mut still.passes);
+    noise_ui(ui, &mut still.noise);
     switch(
         ui,
         "Perturb sub-rays",
         "Spreads the sub-rays over the incident fan; without it they clump, as in Fig. 3 of the \
          paper.",
         &mut trace.perturb,
+    );
+}
+
+/// Rows for when a picture is good enough before all its passes are done.
+pub(crate) fn noise_ui(ui: &mut Ui, noise: &mut NoiseGoal) {
+    let default = NoiseGoal::default();
+    SliderRow::new(
+        "Noise target",
+        "The picture is finished before its last pass when 98 of 100 pixels have no more noise than \
+         this part of their light; 0 asks for all passes.",
+        wide(&NoiseGoal::TARGET),
+        default.target,
+    )
+    .percent()
+    .show_f32(ui, &mut noise.target);
+    switch(
+        ui,
+        "Adaptive",
+        "Later passes leave out the pixels that have reached the noise target, and so go to those \
+         that differ from their neighbours.",
+        &mut noise.is_adaptive,
     );
 }
