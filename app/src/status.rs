@@ -27,7 +27,7 @@ pub fn show(ui: &mut Ui, progress: &Progress, shown: Shown, tracers: &Tracers) {
 }
 
 fn progress_ui(ui: &mut Ui, progress: &Progress, shown: Shown) {
-    activity_ui(ui, progress.activity);
+    activity_ui(ui, progress);
     if shown != Shown::Color {
         value(ui, shown::name(shown), "shown", "View \u{203a} Show goes back to the picture.");
     }
@@ -41,6 +41,14 @@ fn progress_ui(ui: &mut Ui, progress: &Progress, shown: Shown) {
         "passes",
         "Rays per pixel traced so far, of those asked for: the picture gets smoother with each.",
     );
+    if let Some(noise) = progress.noise {
+        value(
+            ui,
+            &percent(noise.into()),
+            "noise",
+            "What 98 of 100 pixels may still be off, as part of their light and the picture's.",
+        );
+    }
     value(
         ui,
         &format!(
@@ -64,14 +72,19 @@ fn progress_ui(ui: &mut Ui, progress: &Progress, shown: Shown) {
     );
 }
 
-fn activity_ui(ui: &mut Ui, activity: Activity) {
-    let (text, color, tooltip) = match activity {
+fn activity_ui(ui: &mut Ui, progress: &Progress) {
+    let (text, color, tooltip) = match progress.activity {
         Activity::Idle => ("Idle", theme::TEXT_WEAK, "There is nothing to trace."),
         Activity::Preview => ("Preview", theme::WARNING, "A coarser picture while things change."),
         Activity::Accumulating => {
             ("Tracing", theme::ACCENT, "Passes at full resolution are being added.")
         }
-        Activity::Done => ("Finished", theme::TEXT, "All passes asked for are in the picture."),
+        Activity::Done if progress.has_reached_noise_target() => {
+            ("Finished: noise target", theme::TEXT, "The noise is no more than was asked for.")
+        }
+        Activity::Done => {
+            ("Finished: all passes", theme::TEXT, "All passes asked for are in the picture.")
+        }
         Activity::Failed => ("Failed", theme::ERROR, "The scene could not be traced."),
     };
     dot(ui, color);

@@ -5,6 +5,9 @@ mod round;
 pub use round::Machine;
 pub(crate) use round::round;
 
+use crate::film::next_measurement;
+use crate::settings::NoiseGoal;
+
 /// A round of tracing: passes between which nothing is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Work {
@@ -40,6 +43,9 @@ pub struct Scheduler {
     full: Cost,
     pixels: u64,
     pass_limit: u32,
+    noise: NoiseGoal,
+    /// Whether the noise is no more than is wanted.
+    is_settled: bool,
     stage: Stage,
     /// Whether nothing was completed since the restart.
     is_first: bool,
@@ -110,6 +116,8 @@ impl Scheduler {
             full: Cost::guess(guess),
             pixels: 0,
             pass_limit: 0,
+            noise: NoiseGoal::NONE,
+            is_settled: false,
             stage: Stage::Accumulate { passes: 0 },
             is_first: false,
             patience_seconds: Self::PATIENCE_SECONDS,
@@ -120,6 +128,7 @@ impl Scheduler {
     pub fn restart(&mut self, size: [u32; 2], pass_limit: u32) {
         self.pixels = u64::from(size[0]) * u64::from(size[1]);
         self.limit_passes(pass_limit);
+        self.is_settled = false;
         self.is_first = true;
         let pixels = self.pixels as f64;
         self.stage = if self.full.seconds * pixels <= Self::PREVIEW_SECONDS {
@@ -135,10 +144,21 @@ impl Scheduler {
         self.pass_limit = if self.pixels == 0 { 0 } else { pass_limit };
     }
 
+    /// Changes which noise is good enough, and nothing else.
+    pub fn aim_at(&mut self, noise: NoiseGoal) {
+        self.noise = noise;
+        self.is_settled = false;
+    }
+
+    /// Takes note that the noise is no more than is wanted: the picture is done.
+    pub fn settle(&mut self) {
+        self.is_settled = true;
+    }
+
     /// The next round; `None` when the picture is done.
     pub fn next(&self) -> Option<Work> {
         match self.stage {
-            _ if self.pass_limit == 0 => None,
+            _ if self.pass_limit == 0 || self.is_settled => None,
             Stage::Draft { divisor } => {
                 Some(Work { divisor, effort: Effort::Draft, passes: 1, begins_film: true })
             }
@@ -154,7 +174,7 @@ impl Scheduler {
 
     fn round(&self, done: u32) -> u32 {
         let pass_seconds = self.full.seconds * self.pixels as f64;
-        round(self.machine, pass_seconds, done, self.pass_limit)
+        round(self.machine, pass_seconds, done, self.pass_limit, self.noise)
     }
 
     /// Seconds that the next round is given though something newer is asked for.
@@ -173,8 +193,10 @@ impl Scheduler {
             self.be_patient_for(2.0 * seconds);
         }
         self.is_first = false;
-        let seconds = seconds / self.traced_pixels(work);
-        self.cost_mut(work.effort).measure(seconds);
+        if !self.leaves_out_pixels() {
+            let seconds = seconds / self.traced_pixels(work);
+            self.cost_mut(work.effort).measure(seconds);
+        }
         self.stage = match self.stage {
             Stage::Draft { divisor: 1 } => Stage::Accumulate { passes: 0 },
             Stage::Draft { divisor } => Stage::Draft { divisor: divisor / 2 },
@@ -193,6 +215,13 @@ impl Scheduler {
         if work.effort == Effort::Full && !self.draft.is_measured {
             self.draft.raise(Self::DRAFT_SHARE * seconds);
         }
+    }
+
+    /// Whether the next pass may leave out pixels, so that it tells nothing of others.
+    fn leaves_out_pixels(&self) -> bool {
+        let is_measured = |passes| passes >= next_measurement(0);
+        matches!(self.stage, Stage::Accumulate { passes } if is_measured(passes))
+            && self.noise.adapts()
     }
 
     /// Pixels of all passes of `work`, at least 1.
@@ -274,6 +303,42 @@ mod tests {
         let more = run(&mut scheduler, 1e-6, 1e-5);
         assert_eq!(more.len(), 2);
         assert!(more.iter().all(|work| !work.begins_film));
+    }
+
+    const ADAPTIVE: NoiseGoal = NoiseGoal { target: 0.01, is_adaptive: true };
+
+    #[test]
+    fn rounds_end_where_pixels_are_left_out_and_teach_nothing_after_that() {
+        let mut scheduler = Scheduler::new(Machine::GraphicsCard);
+        scheduler.aim_at(ADAPTIVE);
+        scheduler.restart(SIZE, 100);
+        let mut ends = Vec::new();
+        while let Some(work) = scheduler.next() {
+            let done = ends.last().map_or(0, |&end| end) + work.passes;
+            // What is left of the pixels later is a tenth of the work.
+            let share = if done > next_measurement(0) { 0.1 } else { 1.0 };
+            scheduler.complete(work, share * seconds(work, FAST, FAST));
+            ends.push(done);
+        }
+        assert_eq!(ends, [1, 2, 4, 8, 12, 16, 20, 24, 28, 32, 40, 48, 56, 64, 80, 96, 100]);
+        assert!((scheduler.full.seconds / FAST - 1.0).abs() < 1e-9, "{scheduler:?}");
+    }
+
+    #[test]
+    fn a_picture_that_is_good_enough_is_done_until_more_is_wanted_of_it() {
+        let mut scheduler = Scheduler::new(Machine::Processor);
+        scheduler.aim_at(ADAPTIVE);
+        scheduler.restart([40, 40], 100);
+        scheduler.complete(scheduler.next().expect("there is work"), 1e-3);
+        scheduler.settle();
+        assert_eq!(scheduler.next(), None);
+        scheduler.limit_passes(200);
+        assert_eq!(scheduler.next(), None, "more passes are no better picture");
+        scheduler.aim_at(NoiseGoal { target: 0.005, ..ADAPTIVE });
+        assert!(scheduler.next().is_some_and(|work| !work.begins_film));
+        scheduler.settle();
+        scheduler.restart([40, 40], 100);
+        assert!(scheduler.next().is_some_and(|work| work.begins_film));
     }
 
     /// A pass of a graphics card: 1280 × 800 in half a millisecond.

@@ -85,6 +85,50 @@ impl Default for TraceSettings {
     }
 }
 
+/// When a picture is good enough, and which pixels its later passes trace. Changing it restarts
+/// nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct NoiseGoal {
+    /// The picture is done when its [noise](crate::film::Film::measure_noise) is no more than
+    /// this; 0 for any noise until all passes are done.
+    pub target: f32,
+    /// Passes leave out the pixels that have no more noise than the target.
+    pub is_adaptive: bool,
+}
+
+impl NoiseGoal {
+    /// Allowed [`target`](Self::target).
+    pub const TARGET: RangeInclusive<f32> = 0.0..=0.1;
+    /// All passes for all pixels.
+    pub const NONE: Self = Self { target: 0.0, is_adaptive: false };
+
+    /// Whether there is a target.
+    pub fn is_set(self) -> bool {
+        self.target > 0.0
+    }
+
+    /// Whether a picture of this noise is done.
+    pub fn is_reached(self, noise: f32) -> bool {
+        self.is_set() && noise <= self.target
+    }
+
+    /// Whether passes may leave out pixels.
+    pub fn adapts(self) -> bool {
+        self.is_set() && self.is_adaptive
+    }
+
+    /// Whether passes leave out a pixel of this noise.
+    pub fn settles(self, noise: f32) -> bool {
+        self.adapts() && noise <= self.target
+    }
+}
+
+impl Default for NoiseGoal {
+    fn default() -> Self {
+        Self { target: 0.02, is_adaptive: true }
+    }
+}
+
 /// How luminance above the display's white is brought into range.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, NoUninit, Serialize, Deserialize)]
 #[repr(u32)]

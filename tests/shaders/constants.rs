@@ -36,7 +36,6 @@ fn rust_constants() -> Vec<(&'static str, Constant)> {
         ("FAR", F32(ray::FAR)),
         ("GROUND", U32(ray::GROUND)),
         ("TOUCHING_MM", F32(ray::TOUCHING_MM)),
-        ("PIXEL_STEPS", Vec2U(rng::PIXEL_STEPS)),
         ("LIGHT_STEPS", Vec2U(rng::LIGHT_STEPS)),
         ("WAVELENGTH_STEP", U32(rng::WAVELENGTH_STEP)),
         ("MIDDLE", U32(rng::MIDDLE)),

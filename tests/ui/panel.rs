@@ -24,7 +24,7 @@ type Value = fn(&RenderRequest) -> f64;
 fn every_tracing_slider_changes_the_request() {
     let mut harness = harness();
     choose(&mut harness, "Splitting", "Paper (Thomas 1986)");
-    let cases: [(&str, f64, f64, Value); 14] = [
+    let cases: [(&str, f64, f64, Value); 15] = [
         ("Diameter", 8.25, 8.25, |r| f64::from(brilliant(r).diameter_mm)),
         ("Table", 60.0, 0.6, |r| f64::from(brilliant(r).table)),
         ("Crown angle", 32.5, 32.5, |r| f64::from(brilliant(r).crown_angle_degrees)),
@@ -38,6 +38,7 @@ fn every_tracing_slider_changes_the_request() {
         ("Maximum depth", 12.0, 12.0, |r| f64::from(r.trace.max_depth)),
         ("Spectral bins", 32.0, 32.0, |r| f64::from(r.trace.bins)),
         ("Passes", 100.0, 100.0, |r| f64::from(r.pass_limit)),
+        ("Noise target", 5.0, 0.05, |r| f64::from(r.noise.target)),
         ("Ambient", 0.5, 0.5, |r| f64::from(r.scene.lights.hemisphere.as_ref().unwrap().radiance)),
     ];
     for (label, shown, expected, value) in cases {
@@ -48,6 +49,19 @@ fn every_tracing_slider_changes_the_request() {
         let value = value(&after);
         assert!((value - expected).abs() < 1e-6 * expected, "{label} is {value}, not {expected}");
     }
+}
+
+#[test]
+fn passes_and_noise_carry_on_with_the_film() {
+    let mut harness = harness();
+    let before = request(&harness);
+    set(&mut harness, "Passes", 100.0);
+    set(&mut harness, "Noise target", 3.0);
+    harness.get_by_role_and_label(Role::CheckBox, "Adaptive").click();
+    harness.run_steps(2);
+    let after = request(&harness);
+    assert_ne!(before.noise.is_adaptive, after.noise.is_adaptive);
+    assert!(before != after && before.makes_same_film(&after));
 }
 
 #[test]
@@ -128,25 +142,30 @@ fn the_splitting_can_be_chosen_and_taken_back() {
     assert_eq!(of_paper.splitting, Splitting::Paper);
     let is_idle = |harness: &AppHarness| {
         let perturb = harness.get_by_role_and_label(Role::CheckBox, "Perturb sub-rays");
-        [perturb.accesskit_node(), slider(harness, "Split count").accesskit_node()]
-            .map(|node| node.is_disabled())
+        let [split_count, roulette] = ["Split count", "Roulette"].map(|row| slider(harness, row));
+        [perturb, split_count, roulette].map(|node| node.accesskit_node().is_disabled())
     };
-    assert_eq!(is_idle(&harness), [false, false]);
+    assert_eq!(is_idle(&harness), [false, false, true]);
     rest(&mut harness);
 
     choose(&mut harness, "Splitting", "Exact");
     let exact = TraceSettings { splitting: Splitting::Exact, ..of_paper.clone() };
     assert_eq!(request(&harness).trace, exact);
     harness.run_steps(2);
-    assert_eq!(is_idle(&harness), [true, true]);
+    assert_eq!(is_idle(&harness), [true, true, false]);
+    rest(&mut harness);
+    set(&mut harness, "Roulette", 1.0);
+    assert!((request(&harness).trace.roulette_threshold - 0.01).abs() < 1e-8);
     harness.get(by().role(Role::Label).label("Split count").include_labels()).hover();
     harness.run_steps(60);
     harness.get_by_label_contains("Belongs to the paper's splitting");
 
-    rest(&mut harness);
-    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
-    harness.run_steps(3);
-    assert_eq!(request(&harness).trace, of_paper);
+    for expected in [exact, of_paper] {
+        rest(&mut harness);
+        harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+        harness.run_steps(3);
+        assert_eq!(request(&harness).trace, expected);
+    }
 }
 
 #[test]

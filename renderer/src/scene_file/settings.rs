@@ -7,7 +7,9 @@ use serde::{Deserialize, Deserializer, Serialize};
 use super::StillSettings;
 use super::check::{choose, in_range};
 use super::fault::{Fault, Under};
-use crate::settings::{DisplaySettings, Splitting, ToneCurve, TraceSettings, WhitePoint};
+use crate::settings::{
+    DisplaySettings, NoiseGoal, Splitting, ToneCurve, TraceSettings, WhitePoint,
+};
 
 #[derive(Default, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
@@ -212,6 +214,8 @@ impl DisplayEntry {
 pub(super) struct StillEntry {
     size: Option<[u32; 2]>,
     passes: Option<u32>,
+    noise_target: Option<f32>,
+    adaptive: Option<bool>,
 }
 
 impl StillEntry {
@@ -229,11 +233,24 @@ impl StillEntry {
             return Err(Fault::at("size", format!("{pixels} pixels are more than {allowed}")));
         }
         let passes = self.passes.unwrap_or(default.passes);
-        Ok(StillSettings { size, passes: in_range("passes", passes, &StillSettings::PASSES)? })
+        let target = self.noise_target.unwrap_or(default.noise.target);
+        Ok(StillSettings {
+            size,
+            passes: in_range("passes", passes, &StillSettings::PASSES)?,
+            noise: NoiseGoal {
+                target: in_range("noise_target", target, &NoiseGoal::TARGET)?,
+                is_adaptive: self.adaptive.unwrap_or(default.noise.is_adaptive),
+            },
+        })
     }
 
     pub(super) fn write(settings: &StillSettings) -> Self {
-        let StillSettings { size, passes } = settings;
-        Self { size: Some(*size), passes: Some(*passes) }
+        let StillSettings { size, passes, noise: NoiseGoal { target, is_adaptive } } = settings;
+        Self {
+            size: Some(*size),
+            passes: Some(*passes),
+            noise_target: Some(*target),
+            adaptive: Some(*is_adaptive),
+        }
     }
 }

@@ -69,6 +69,12 @@ pub(crate) const EXPOSE: &[ShaderModule] = modules!["finite", "expose"];
 /// From the film to the sums of a region.
 pub(crate) const REGION: &[ShaderModule] = modules!["finite", "region"];
 
+/// From the film to how bright its pixels are in the mean.
+pub(crate) const ROOTS: &[ShaderModule] = modules!["finite", "brightness", "roots"];
+
+/// From the film to its noise.
+pub(crate) const NOISE: &[ShaderModule] = modules!["finite", "brightness", "noise"];
+
 /// From CIE XYZ to sRGB codes.
 pub(crate) const DEVELOP: &[ShaderModule] =
     modules!["finite", "tone_curve", "gamut", "srgb8", "development"];
@@ -126,7 +132,6 @@ fn kernel_constants() -> String {
         ("FAR", F32(ray::FAR)),
         ("GROUND", U32(ray::GROUND)),
         ("TOUCHING_MM", F32(ray::TOUCHING_MM)),
-        ("PIXEL_STEPS", Vec2U(rng::PIXEL_STEPS)),
         ("LIGHT_STEPS", Vec2U(rng::LIGHT_STEPS)),
         ("WAVELENGTH_STEP", U32(rng::WAVELENGTH_STEP)),
         ("MIDDLE", U32(rng::MIDDLE)),
