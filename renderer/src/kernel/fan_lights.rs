@@ -4,13 +4,18 @@ use crate::kernel::band::{deposit_band, retire_fan};
 use crate::kernel::fan::{Fan, is_dispersed};
 use crate::kernel::fan_walk::largest;
 use crate::kernel::lights::{Cone, disc_cone};
-use crate::kernel::nodes::{basis_at, blend, dot_each, slope_basis_at};
+use crate::kernel::nodes::{
+    basis_at, blend, dot_each, high_node, low_node, middle_node, slope_basis_at,
+};
 use crate::kernel::parabola::{crossings, parabola_at, parabola_through};
 use crate::kernel::walk::Walk;
 use crate::packed::NONE;
 
 /// Steps towards the position in a fan that is nearest to the middle of a light.
 pub const APPROACH_STEPS: u32 = 3;
+
+/// What directions between the nodes may gain in distance by being brought to length 1, as a factor.
+pub const LEEWAY: f32 = 1.1;
 
 /// Halvings, at most, in search of the edge of a light.
 pub const EDGE_BISECTIONS: u32 = 12;
@@ -32,9 +37,11 @@ pub fn fan_light(walk: &mut Walk<'_, Fan>, fan: &Fan) {
         deposit_band(walk, fan, -1.0, 1.0, sky.backdrop);
         return;
     }
+    let middle = middle_node(&fan.direction);
+    let spread = largest_spread(fan);
     for disc in &scene.discs {
         let cone = disc_cone(disc);
-        if is_fan_far_off(fan, &cone) {
+        if middle.dot(cone.center) + spread < cone.cos_radius || is_fan_far_off(fan, &cone) {
             continue;
         }
         let [low, high] = part_in_cone(fan, &cone);
@@ -88,6 +95,16 @@ pub fn deposit_beside(
     if behind < part[1] {
         deposit_band(walk, fan, behind, part[1], radiance_row);
     }
+}
+
+/// How far directions of the fan are from the middle one, at most: between the nodes a parabola strays
+/// no further than at them.
+#[inline]
+pub fn largest_spread(fan: &Fan) -> f32 {
+    let middle = middle_node(&fan.direction);
+    let to_low = (low_node(&fan.direction) - middle).length_squared();
+    let to_high = (high_node(&fan.direction) - middle).length_squared();
+    LEEWAY * to_low.max(to_high).sqrt()
 }
 
 /// Whether the fan is sure to miss the cone: between the nodes the cosine is no larger than a
