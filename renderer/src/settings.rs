@@ -11,10 +11,10 @@ use serde::{Deserialize, Serialize};
 #[serde(rename_all = "kebab-case")]
 pub enum Splitting {
     /// Thomas 1986, to the letter: equal wavelength steps, prorated light overlap.
-    #[default]
     Paper,
     /// Three wavelengths per interval, each on its own way; the interval is divided where the ways part
     /// and lights are cut out of it.
+    #[default]
     Exact,
 }
 
@@ -74,7 +74,7 @@ impl TraceSettings {
 impl Default for TraceSettings {
     fn default() -> Self {
         Self {
-            splitting: Splitting::Paper,
+            splitting: Splitting::Exact,
             split_count: 6.0,
             significance_threshold: 1e-3,
             roulette_threshold: 0.03,

@@ -229,9 +229,7 @@ pub fn send_refracted(walk: &mut Walk<'_, Fan>, refracted: &Fan) {
         fan.absorber = absorber_of(scene, fan.medium);
         fan.path_mm = Vec3A::ZERO;
     }
-    let is_at_lights =
-        fan.medium == NONE && is_single(scene) && is_convex_body(scene, fan.instance);
-    if !is_at_lights {
+    if walk.keeps_all || !can_only_meet_lights(scene, &fan) {
         send_fan(walk, &fan);
         return;
     }
@@ -241,6 +239,12 @@ pub fn send_refracted(walk: &mut Walk<'_, Fan>, refracted: &Fan) {
         walk.tally.depth = walk.tally.depth.max(fan.depth);
         end_at_lights(walk, &fan);
     }
+}
+
+/// Whether the fan has left the only body of the scene, which is convex.
+#[inline]
+pub fn can_only_meet_lights(scene: &PackedScene, fan: &Fan) -> bool {
+    fan.medium == NONE && is_single(scene) && is_convex_body(scene, fan.instance)
 }
 
 /// Whether the fan, having run through one coloured material, enters another.

@@ -22,6 +22,10 @@ impl RayStack<Fan> {
 /// Puts a fan on the stack, or into the books where it is too weak, too deep or too much.
 #[inline]
 pub fn send_fan(walk: &mut Walk<'_, Fan>, fan: &Fan) {
+    if walk.keeps_all {
+        walk.keep(fan);
+        return;
+    }
     let threshold = walk.rules.significance_threshold;
     let mut sent = *fan;
     let fate = fate_of_fan(walk, &mut sent, threshold);
