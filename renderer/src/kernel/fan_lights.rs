@@ -17,6 +17,10 @@ pub const APPROACH_STEPS: u32 = 3;
 /// What directions between the nodes may gain in distance by being brought to length 1, as a factor.
 pub const LEEWAY: f32 = 1.1;
 
+/// By how much a cosine between the nodes may be larger than the parabola through those at them, since
+/// directions there are brought to length 1.
+pub const FAR_OFF_MARGIN: f32 = 1e-3;
+
 /// Halvings, at most, in search of the edge of a light.
 pub const EDGE_BISECTIONS: u32 = 12;
 
@@ -113,7 +117,7 @@ pub fn largest_spread(fan: &Fan) -> f32 {
 pub fn is_fan_far_off(fan: &Fan, cone: &Cone) -> bool {
     let along = dot_each(&fan.direction, cone.center);
     let bend = 0.5 * (along.x + along.z) - along.y;
-    largest(along) + 0.25 * bend.abs() < cone.cos_radius
+    largest(along) + 0.25 * bend.abs() + FAR_OFF_MARGIN < cone.cos_radius
 }
 
 /// How far, at a position in the fan, its direction is inside of the cone: above 0 inside, and
@@ -146,15 +150,10 @@ pub fn part_in_cone(fan: &Fan, cone: &Cone) -> [f32; 2] {
 /// The position in the fan whose direction is nearest to the middle of the cone.
 #[inline]
 pub fn nearest_approach(fan: &Fan, cone: &Cone) -> f32 {
-    let along = dot_each(&fan.direction, cone.center);
-    let mut position = 0.0;
-    let mut best = along.y;
-    if along.x > best {
-        best = along.x;
-        position = -1.0;
-    }
-    if along.z > best {
-        position = 1.0;
+    let along = parabola_through(dot_each(&fan.direction, cone.center));
+    let mut position = if along.b < 0.0 { -1.0 } else { 1.0 };
+    if along.a < 0.0 {
+        position = (-along.b / along.a).clamp(-1.0, 1.0);
     }
     for _ in 0..APPROACH_STEPS {
         let direction = blend(&fan.direction, basis_at(position));
