@@ -10,7 +10,7 @@ use crate::difference::Difference;
 use crate::reference::Reference;
 use crate::scenes::Case;
 
-const FINE_THRESHOLD: f32 = 1e-5;
+const FINE_THRESHOLD: f32 = 1e-6;
 
 /// One way to divide the spectrum.
 pub(crate) struct Method {

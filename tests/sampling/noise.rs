@@ -6,7 +6,7 @@ use brilliance_renderer::spectrum::Bins;
 
 use crate::films::{Diamond, LONG, SIZE, relative_errors};
 
-/// The 98th percentile over pixels of the root mean square of the errors around each.
+/// The 98th percentile over pixels of the error of each, or of the root mean square around it.
 fn percentile_98(errors: &[f64]) -> f64 {
     let [width, height] = SIZE.map(|side| side as usize);
     let around = |x: usize, y: usize| {
@@ -17,7 +17,8 @@ fn percentile_98(errors: &[f64]) -> f64 {
                 columns.map(move |column| errors[row * width + column].powi(2))
             })
             .collect();
-        (squares.iter().sum::<f64>() / squares.len() as f64).sqrt()
+        let mean = squares.iter().sum::<f64>() / squares.len() as f64;
+        mean.sqrt().max(errors[y * width + x].abs())
     };
     let mut pooled: Vec<_> = (0..width * height).map(|i| around(i % width, i / width)).collect();
     pooled.sort_by(f64::total_cmp);

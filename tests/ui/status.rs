@@ -23,13 +23,13 @@ fn window_of(passes: u32, noise_target: f32) -> AppHarness {
 
 #[test]
 fn it_says_why_the_picture_is_finished() {
-    let harness = window_of(50, 0.0);
-    assert_eq!(harness.state().session().progress().passes, 50);
+    let harness = window_of(10, 0.0);
+    assert_eq!(harness.state().session().progress().passes, 10);
     harness.get_by_label("Finished: all passes");
     harness.get_by_label("noise");
 
-    let harness = window_of(50, 0.02);
-    assert!(harness.state().session().progress().passes < 50);
+    let harness = window_of(10, 0.02);
+    assert!(harness.state().session().progress().passes < 10);
     harness.get_by_label("Finished: noise target");
     harness.get_by_label("noise");
 
@@ -40,12 +40,12 @@ fn it_says_why_the_picture_is_finished() {
 
 #[test]
 fn a_lower_target_carries_on_with_a_picture_that_was_good_enough() {
-    let mut harness = window_of(50, 0.02);
+    let mut harness = window_of(10, 0.02);
     let before = request(&harness);
     set(&mut harness, "Noise target", 0.0);
     wait(&mut harness, "all passes", |app| {
         let progress = app.session().progress();
-        progress.passes == 50 && progress.activity == Activity::Done
+        progress.passes == 10 && progress.activity == Activity::Done
     });
     harness.run_steps(2);
     assert!(before.makes_same_film(&request(&harness)));

@@ -7,8 +7,9 @@
 //! That is divided by *m* + *t*, where *t* is the square of the mean of √m over the film: what is
 //! tolerable in the dark depends on the whole picture, but little on its few brightest pixels.
 //!
-//! The noise of a pixel is the root mean square of that over itself and its neighbours. A pixel
-//! whose few rays all missed a glint that a neighbour found is therefore not taken for settled.
+//! The noise of a pixel is that, or the root mean square of it over the pixel and its neighbours where
+//! that is more: a pixel whose few rays all missed a glint that a neighbour found is not taken for
+//! settled.
 
 use rayon::prelude::*;
 
@@ -145,7 +146,8 @@ fn relative_variance(counts: &Counts, mean: f32, typical: f32) -> f32 {
     if relative.is_finite() { relative.max(0.0) } else { 0.0 }
 }
 
-/// Root mean square of the relative errors of a pixel and its neighbours.
+/// The relative error of a pixel, or its root mean square over the pixel and its neighbours where that
+/// is more. Where it is above a limit, it is so too at a pixel around whose own error is.
 fn pooled_noise(variances: &[f32], width: usize, x: usize, y: usize) -> f32 {
     let mut sum = 0.0;
     let mut pixels = 0.0;
@@ -156,7 +158,7 @@ fn pooled_noise(variances: &[f32], width: usize, x: usize, y: usize) -> f32 {
             pixels += 1.0;
         }
     }
-    (sum / pixels).sqrt()
+    variances[y * width + x].max(sum / pixels).sqrt()
 }
 
 /// The place of a noise in the histogram.

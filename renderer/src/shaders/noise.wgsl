@@ -42,7 +42,8 @@ fn relative_variance(pixel: u32) -> f32 {
     return select(0.0, max(relative, 0.0), is_finite(bitcast<u32>(relative)));
 }
 
-// Root mean square of the relative errors of a pixel and its neighbours.
+// The relative error of a pixel, or its root mean square over the pixel and its neighbours where that
+// is more. Where it is above a limit, it is so too at a pixel around whose own error is.
 fn pooled_noise(x: u32, y: u32) -> f32 {
     var sum = 0.0;
     var pixels = 0.0;
@@ -52,7 +53,7 @@ fn pooled_noise(x: u32, y: u32) -> f32 {
             pixels += 1.0;
         }
     }
-    return sqrt(sum / pixels);
+    return sqrt(max(relative_variance(y * rows.width + x), sum / pixels));
 }
 
 // The place of a noise in the histogram.
