@@ -23,9 +23,10 @@ mod srgb8;
 mod tone_curve;
 mod xyz;
 
+use glam::DVec3;
 use rayon::prelude::*;
 
-use crate::color;
+use crate::color::{self, Lab};
 use crate::error::RendererError;
 use crate::settings::DisplaySettings;
 pub use brightest::{brightest_srgb8, interval_srgb8};
@@ -127,6 +128,13 @@ impl DisplayImage {
         let encode = |channel: f32| (255.0 * color::srgb_encode(channel.into())).round() as u8;
         let pixels = self.rgb.par_iter().with_min_len(PIXELS_PER_TASK);
         pixels.flat_map_iter(|rgb| rgb.map(encode).into_iter().chain([255])).collect()
+    }
+
+    /// The colours as they are seen beside the display's white, row by row from the top.
+    pub fn labs(&self) -> impl Iterator<Item = Lab> {
+        let (xyz_from_rgb, white) = (color::xyz_from_rec709(), color::d65_white());
+        let rgb = self.rgb.iter().map(|rgb| DVec3::from_array(rgb.map(f64::from)));
+        rgb.map(move |rgb| Lab::from_xyz(xyz_from_rgb * rgb, white))
     }
 
     /// sRGB-encoded, 16 bits per channel, red, green, blue.

@@ -2,6 +2,7 @@
 //!
 //! Every struct is `repr(C)` and free of padding so that a GPU can be handed the same bytes.
 
+mod axis;
 mod bodies;
 mod passages;
 mod prints;
@@ -21,6 +22,8 @@ use crate::spectrum::Bins;
 pub const PLANE_LANES: usize = 16;
 /// Entries of an index table: one per nm from 380 to 730.
 pub const INDEX_TABLE_LEN: usize = 351;
+/// Positions on the dispersion axis that tables give values at, evenly from 0 to 1.
+pub const AXIS_LEN: usize = 513;
 /// The index of nothing: no instance, no facet, no material.
 pub const NONE: u32 = u32::MAX;
 
@@ -256,9 +259,15 @@ pub struct PackedScene {
     pub triangles: Vec<PackedTriangle>,
     /// Materials.
     pub materials: Vec<PackedMaterial>,
-    /// First rows of mean values per bin: radiances, reflectances, absorption coefficients; then
-    /// n(λ) at every nm, [`INDEX_TABLE_LEN`] per dielectric. They share an array as `words` do.
+    /// First rows of mean values per bin: radiances, reflectances, absorption coefficients. Then, per
+    /// dielectric, n(λ) at every nm, [`INDEX_TABLE_LEN`] values, and along the dispersion axis,
+    /// [`AXIS_LEN`] values. Last the axis. They share an array as `words` do.
     pub spectra: Vec<f32>,
+    /// First number of the dispersion axis in `spectra`: wavelengths in nm at [`AXIS_LEN`] positions,
+    /// positions at every nm, and the means over each bin's wavelengths of the position and of its
+    /// square. The axis runs from 0 at 380 nm to 1 at 730 nm in proportion to the index of the most
+    /// dispersive material.
+    pub axis: u32,
     /// Disc lights.
     pub discs: Vec<PackedDisc>,
     /// Passages of the discs' light, disc by disc.
@@ -284,7 +293,10 @@ impl PackedScene {
         let passages = passages::pack(&mut discs, &bodies.throwers, &materials)?;
         let sky = spectra::pack_sky(&scene.lights, &mut spectra)?;
         let ground = spectra::pack_ground(scene.ground.as_ref(), &mut spectra)?;
-        let (materials, spectra) = materials.behind(spectra.into_values());
+        let axis = axis::Axis::of(&materials);
+        let (materials, mut spectra) = materials.behind(spectra.into_values(), &axis);
+        let axis_start = spectra.len() as u32;
+        spectra.extend(axis.tables(bins));
         Ok(Self {
             bins,
             instances: bodies.instances,
@@ -295,6 +307,7 @@ impl PackedScene {
             triangles: bodies.triangles,
             materials,
             spectra,
+            axis: axis_start,
             discs,
             passages,
             sky,
@@ -313,6 +326,13 @@ impl PackedScene {
     pub fn projection_row(&self, first: u32) -> Vec4 {
         let number = |i: u32| f32::from_bits(self.words[(first + i) as usize]);
         Vec4::new(number(0), number(1), number(2), number(3))
+    }
+
+    /// The means of row `row` over all bins.
+    #[inline]
+    pub fn spectrum_row(&self, row: u32) -> &[f32] {
+        let start = row as usize * self.bins.count();
+        &self.spectra[start..start + self.bins.count()]
     }
 
     /// The mean of row `row` over `bin`.

@@ -137,7 +137,7 @@ pub(crate) fn rules(settings: &TraceSettings) -> TraceRules {
         significance_threshold: settings.significance_threshold,
         max_depth: settings.max_depth,
         perturb: u32::from(settings.perturb),
-        padding: 0,
+        cut_threshold: 0.1 * settings.significance_threshold,
     }
 }
 

@@ -12,7 +12,16 @@ type Singles = (&'static str, &'static [&'static str], &'static str);
 const RUST_ONLY: &[Singles] = &[
     (
         "convex",
-        &["of", "hit", "new_wide_ray", "project", "dot", "for_each_vector", "least", "with_simd"],
+        &[
+            "of",
+            "hit",
+            "new_wide_ray",
+            "project",
+            "for_each_vector",
+            "greatest",
+            "with_simd",
+            "nearest_exit",
+        ],
         "the processor tests as many planes at a time as it can, a shader one after the other",
     ),
     ("packed", &["new_packed_scene"], "scenes are packed by the processor"),

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use anyhow::Context as _;
 use brilliance_renderer::scene_file::Document;
+use brilliance_renderer::settings::Splitting;
 use brilliance_renderer::statistics::Statistics;
 use brilliance_renderer::still::Still;
 use brilliance_renderer::tracer::{Backend, TracerName};
@@ -33,6 +34,8 @@ pub(super) struct Report {
     output: String,
     /// Width and height in pixels.
     size: [u32; 2],
+    /// How rays were divided.
+    splitting: Splitting,
     /// Spectral bins of the film.
     bins: u32,
     /// Passes traced.
@@ -66,6 +69,7 @@ impl Report {
             scene: arguments.scene.display().to_string(),
             output: arguments.output.display().to_string(),
             size: document.still.size,
+            splitting: document.trace.splitting,
             bins: document.trace.bins,
             passes: still.passes,
             noise: still.noise,

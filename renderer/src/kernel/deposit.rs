@@ -42,8 +42,8 @@ pub fn print_value(scene: &PackedScene, reflectance: &Reflectance, bin: u32) -> 
 /// Adds radiance of row `radiance_row` as it is reflected, scaled by `scale`, evenly over the ray's
 /// interval.
 #[inline]
-pub fn deposit(
-    walk: &mut Walk<'_>,
+pub fn deposit<R: Copy>(
+    walk: &mut Walk<'_, R>,
     ray: &Ray,
     radiance_row: u32,
     reflectance: &Reflectance,

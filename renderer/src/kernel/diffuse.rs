@@ -18,7 +18,7 @@ use crate::packed::{NONE, PackedDisc};
 /// Each disc counts with its solid angle (Thomas 1986: 2π(1 − √(1 − s²))) and is asked for by one
 /// shadow ray to a point on it that changes from pass to pass; so, last, is the sky.
 #[inline]
-pub fn shade_diffuse(walk: &mut Walk<'_>, ray: &Ray, hit: &Hit) {
+pub fn shade_diffuse<R: Copy>(walk: &mut Walk<'_, R>, ray: &Ray, hit: &Hit) {
     let scene = walk.scene;
     let sky = &scene.sky;
     let reflectance = &reflectance_at(walk, ray, hit);
@@ -56,7 +56,7 @@ pub fn shade_diffuse(walk: &mut Walk<'_>, ray: &Ray, hit: &Hit) {
 
 /// The reflectance of the surface where the ray ends.
 #[inline]
-pub fn reflectance_at(walk: &Walk<'_>, ray: &Ray, hit: &Hit) -> Reflectance {
+pub fn reflectance_at<R: Copy>(walk: &Walk<'_, R>, ray: &Ray, hit: &Hit) -> Reflectance {
     let scene = walk.scene;
     if hit.instance != GROUND {
         let material = scene.material_of(hit.instance);
@@ -74,7 +74,7 @@ pub fn reflectance_at(walk: &Walk<'_>, ray: &Ray, hit: &Hit) -> Reflectance {
 
 /// Whether something stands between the surface and the light in `direction`.
 #[inline]
-pub fn is_shadowed(walk: &mut Walk<'_>, ray: &Ray, hit: &Hit, direction: Vec3) -> bool {
+pub fn is_shadowed<R: Copy>(walk: &mut Walk<'_, R>, ray: &Ray, hit: &Hit, direction: Vec3) -> bool {
     walk.tally.segments += 1;
     let mut shadow_ray = Ray::white(ray.origin, direction);
     shadow_ray.instance = hit.instance;

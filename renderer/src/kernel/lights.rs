@@ -3,6 +3,7 @@
 use glam::Vec3;
 
 use crate::kernel::deposit::{Reflectance, deposit};
+use crate::kernel::parabola::{Parabola, crossings};
 use crate::kernel::ray::Ray;
 use crate::kernel::walk::Walk;
 use crate::packed::{NONE, PackedDisc};
@@ -44,10 +45,8 @@ pub fn overlap_amount(ray: &Ray, cone: &Cone) -> f32 {
     let b = off_center.dot(sideways) - cone.sin_squared_radius * ray.direction.dot(ray.spread);
     let drift = ray.spread.dot(cone.center);
     // The fan is cut where it crosses the edge; each part is inside or outside as its middle is.
-    let root = (b * b - a * c).max(0.0).sqrt();
-    let q = if b < 0.0 { root - b } else { -root - b };
-    let (first, second) = (cut_at(q, a), cut_at(c, q));
-    let cuts = [-1.0, first.min(second), first.max(second), 1.0];
+    let [first, second] = crossings(&Parabola { a, b, c });
+    let cuts = [-1.0, first, second, 1.0];
     let mut inside = 0.0;
     for i in 0..3 {
         let u = 0.5 * (cuts[i] + cuts[i + 1]);
@@ -56,18 +55,6 @@ pub fn overlap_amount(ray: &Ray, cone: &Cone) -> f32 {
         }
     }
     0.5 * inside
-}
-
-/// The quotient, brought into −1..=1 without dividing by what is too small for it.
-#[inline]
-pub fn cut_at(numerator: f32, denominator: f32) -> f32 {
-    if numerator.abs() < denominator.abs() {
-        numerator / denominator
-    } else if (numerator < 0.0) == (denominator < 0.0) {
-        1.0
-    } else {
-        -1.0
-    }
 }
 
 /// The part of the ray's fan, in 0..=1, that points into the upper half space.

@@ -9,18 +9,30 @@
 //! Where bodies throw light, [`diffuse`] asks [`passage`] too.
 
 pub mod absorption;
+pub mod axis;
+pub mod band;
 pub mod camera;
 pub mod convex;
 pub mod deposit;
 pub mod diffuse;
+pub mod divide;
+pub mod facet;
+pub mod fan;
+pub mod fan_lights;
+pub mod fan_matte;
+pub mod fan_trace;
+pub mod fan_walk;
 pub mod fork;
 pub mod interface;
 pub mod intersect;
 pub mod lights;
 pub mod mesh;
+pub mod nodes;
+pub mod parabola;
 pub mod passage;
 pub mod print;
 pub mod ray;
+pub mod reach;
 pub mod rng;
 pub mod spread;
 pub mod trace;

@@ -36,8 +36,8 @@ pub struct Beam {
 /// `normal` is the surface's unit normal on the side that `ray` came from. Each bin of the ray's
 /// interval is asked for at one wavelength, which changes from pass to pass.
 #[inline]
-pub fn shine_through(
-    walk: &mut Walk<'_>,
+pub fn shine_through<R: Copy>(
+    walk: &mut Walk<'_, R>,
     ray: &Ray,
     hit: &Hit,
     normal: Vec3,
@@ -142,8 +142,8 @@ pub fn nears_both_facets(passage: &PackedPassage, beam: &Beam, point: Vec3) -> b
 /// Goes back along the beam from the surface at `hit` to the light: how much, in 0..=1, the body
 /// lets through in `bin`; 0 where the beam does not come this way.
 #[inline]
-pub fn follow_back(
-    walk: &mut Walk<'_>,
+pub fn follow_back<R: Copy>(
+    walk: &mut Walk<'_, R>,
     ray: &Ray,
     hit: &Hit,
     passage: &PackedPassage,

@@ -28,7 +28,7 @@ pub fn follow(walk: &mut Walk<'_>) {
     let hit = next_surface(scene, &mut ray);
     if hit.instance != NONE {
         ray.origin += ray.direction * hit.distance;
-        if runs_in_absorber(scene, &ray) {
+        if runs_in_absorber(scene, ray.absorber, ray.medium) {
             ray.path_mm += hit.distance;
         }
         if !meets_opaque(scene, &hit) {
@@ -71,12 +71,10 @@ pub fn is_lost(ray: &Ray, hit: &Hit) -> bool {
     hit.instance == NONE && ray.medium != NONE
 }
 
-/// Whether the ray's medium is the material whose path it counts.
+/// Whether the body `medium` that a ray runs in is of the material `absorber` whose path it counts.
 #[inline]
-pub fn runs_in_absorber(scene: &PackedScene, ray: &Ray) -> bool {
-    ray.absorber != NONE
-        && ray.medium != NONE
-        && scene.instances[ray.medium as usize].material == ray.absorber
+pub fn runs_in_absorber(scene: &PackedScene, absorber: u32, medium: u32) -> bool {
+    absorber != NONE && medium != NONE && scene.instances[medium as usize].material == absorber
 }
 
 /// Whether the ray ends at `hit`.

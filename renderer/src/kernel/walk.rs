@@ -20,14 +20,15 @@ pub struct TraceRules {
     pub observer: Vec3,
     /// K of the paper.
     pub split_count: f32,
-    /// Significance below which a ray is pruned.
+    /// Significance below which a ray is pruned; of fans the energy, in units of the camera ray's,
+    /// below which they live by chance.
     pub significance_threshold: f32,
     /// Interfaces after which a ray is cut off.
     pub max_depth: u32,
     /// 1 where sub-rays take their own directions.
     pub perturb: u32,
-    /// Fills the struct to 32 bytes.
-    pub padding: u32,
+    /// Energy of a fan below which it is not divided any more.
+    pub cut_threshold: f32,
 }
 
 /// What becomes of a ray that is sent on.
@@ -63,17 +64,23 @@ pub struct Tally {
     pub lost: f32,
 }
 
-/// The rays that wait to be followed.
-pub struct RayStack {
-    rays: [Ray; STACK_LEN],
+/// The rays, or fans of rays, that wait to be followed.
+pub struct RayStack<R = Ray> {
+    rays: Vec<R>,
     count: usize,
 }
 
 impl RayStack {
     /// An empty stack.
-    #[expect(clippy::large_stack_arrays, reason = "20 kB, once per worker")]
     pub fn new() -> Self {
-        Self { rays: [Ray::white(Vec3::ZERO, Vec3::Z); STACK_LEN], count: 0 }
+        Self::of(Ray::white(Vec3::ZERO, Vec3::Z), STACK_LEN)
+    }
+}
+
+impl<R: Copy> RayStack<R> {
+    /// An empty stack with room for `len` of the kind of `blank`.
+    pub(crate) fn of(blank: R, len: usize) -> Self {
+        Self { rays: vec![blank; len], count: 0 }
     }
 }
 
@@ -84,7 +91,7 @@ impl Default for RayStack {
 }
 
 /// One camera ray's walk: what it reads, and what it writes to.
-pub struct Walk<'a> {
+pub struct Walk<'a, R = Ray> {
     /// The scene.
     pub scene: &'a PackedScene,
     /// The rules.
@@ -95,11 +102,14 @@ pub struct Walk<'a> {
     pub radiance: &'a mut [f32],
     /// Counts.
     pub tally: Tally,
-    stack: &'a mut RayStack,
-    seed: u32,
+    stack: &'a mut RayStack<R>,
+    /// The random word that was used last.
+    pub seed: u32,
+    /// Whether all that is sent on waits, whatever the rules say, for who wants to see it.
+    pub keeps_all: bool,
 }
 
-impl<'a> Walk<'a> {
+impl<'a, R: Copy> Walk<'a, R> {
     /// A walk that has not begun; `seed` is the pixel's own random word.
     #[inline]
     pub fn new(
@@ -107,11 +117,12 @@ impl<'a> Walk<'a> {
         rules: &'a TraceRules,
         pass_index: u32,
         seed: u32,
-        stack: &'a mut RayStack,
+        stack: &'a mut RayStack<R>,
         radiance: &'a mut [f32],
     ) -> Self {
         stack.count = 0;
-        Self { scene, rules, pass_index, radiance, tally: Tally::default(), stack, seed }
+        let tally = Tally::default();
+        Self { scene, rules, pass_index, radiance, tally, stack, seed, keeps_all: false }
     }
 
     /// A random word that is the same in every pass at the same place of the walk.
@@ -129,26 +140,31 @@ impl<'a> Walk<'a> {
 
     /// Takes the ray that was put on the stack last.
     #[inline]
-    pub fn pop(&mut self) -> Ray {
+    pub fn pop(&mut self) -> R {
         self.stack.count -= 1;
         self.stack.rays[self.stack.count]
     }
 
-    /// Puts a ray on the stack, or into the books where it is too weak, too deep or too much.
+    /// Number of rays that wait.
     #[inline]
-    pub fn send(&mut self, ray: &Ray) {
-        let fate = fate_of(self.scene, self.rules, ray, self.stack.count as u32);
-        if fate == Fate::Kept {
-            self.stack.rays[self.stack.count] = *ray;
-            self.stack.count += 1;
-            return;
+    pub fn waiting(&self) -> u32 {
+        self.stack.count as u32
+    }
+
+    /// Has a ray wait, for which there must be room.
+    #[inline]
+    pub fn push(&mut self, ray: &R) {
+        self.stack.rays[self.stack.count] = *ray;
+        self.stack.count += 1;
+    }
+
+    /// Has a ray wait on a walk that keeps all of them, for which room is made.
+    #[cold]
+    pub fn keep(&mut self, ray: &R) {
+        if self.stack.count == self.stack.rays.len() {
+            self.stack.rays.push(*ray);
         }
-        let energy = self.retire(ray);
-        if fate == Fate::TooWeak {
-            self.tally.pruned += energy;
-        } else {
-            self.tally.cut_off += energy;
-        }
+        self.push(ray);
     }
 
     /// The energy that a ray still carries at its end, after its path's absorption is booked.
@@ -158,6 +174,28 @@ impl<'a> Walk<'a> {
         let kept = mean_transmittance(self.scene, ray);
         self.tally.absorbed += energy * (1.0 - kept);
         energy * kept
+    }
+}
+
+impl Walk<'_> {
+    /// Puts a ray on the stack, or into the books where it is too weak, too deep or too much.
+    #[inline]
+    pub fn send(&mut self, ray: &Ray) {
+        let fate = fate_of(self.scene, self.rules, ray, self.waiting());
+        if fate == Fate::Kept {
+            self.push(ray);
+            return;
+        }
+        if self.keeps_all {
+            self.keep(ray);
+            return;
+        }
+        let energy = self.retire(ray);
+        if fate == Fate::TooWeak {
+            self.tally.pruned += energy;
+        } else {
+            self.tally.cut_off += energy;
+        }
     }
 }
 

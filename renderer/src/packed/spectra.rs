@@ -2,6 +2,7 @@
 
 use std::f32::consts::PI;
 
+use super::axis::Axis;
 use super::prints::PrintWords;
 use super::{
     INDEX_TABLE_LEN, NONE, PackedDisc, PackedGround, PackedMaterial, PackedPrint, PackedSky,
@@ -76,12 +77,19 @@ impl PackedMaterials {
         &self.index_tables[start..start + INDEX_TABLE_LEN]
     }
 
-    /// The materials, with their index tables behind `rows`.
-    pub(super) fn behind(mut self, mut rows: Vec<f32>) -> (Vec<PackedMaterial>, Vec<f32>) {
+    /// The materials, with their index tables behind `rows`: at every nm, then along the axis.
+    pub(super) fn behind(
+        mut self,
+        mut rows: Vec<f32>,
+        axis: &Axis,
+    ) -> (Vec<PackedMaterial>, Vec<f32>) {
         for material in self.materials.iter_mut().filter(|material| !material.is_opaque()) {
-            material.index_table += rows.len() as u32;
+            let start = material.index_table as usize;
+            material.index_table = rows.len() as u32;
+            let table = &self.index_tables[start..start + INDEX_TABLE_LEN];
+            rows.extend(table);
+            rows.extend(axis.indices(table));
         }
-        rows.extend(self.index_tables);
         (self.materials, rows)
     }
 }

@@ -17,12 +17,14 @@ pub(super) struct TraceEntry {
     splitting: Option<String>,
     split_count: Option<f32>,
     significance_threshold: Option<f32>,
+    roulette_threshold: Option<f32>,
     max_depth: Option<u32>,
     perturb: Option<bool>,
     bins: Option<u32>,
 }
 
-const SPLITTINGS: [(&str, Splitting); 1] = [("paper", Splitting::Paper)];
+const SPLITTINGS: [(&str, Splitting); 2] =
+    [("paper", Splitting::Paper), ("exact", Splitting::Exact)];
 
 impl TraceEntry {
     pub(super) fn read(self) -> Result<TraceSettings, Fault> {
@@ -43,6 +45,11 @@ impl TraceEntry {
                 self.significance_threshold.unwrap_or(default.significance_threshold),
                 &TraceSettings::SIGNIFICANCE_THRESHOLD,
             )?,
+            roulette_threshold: in_range(
+                "roulette_threshold",
+                self.roulette_threshold.unwrap_or(default.roulette_threshold),
+                &TraceSettings::ROULETTE_THRESHOLD,
+            )?,
             max_depth: in_range(
                 "max_depth",
                 self.max_depth.unwrap_or(default.max_depth),
@@ -58,17 +65,20 @@ impl TraceEntry {
             splitting,
             split_count,
             significance_threshold,
+            roulette_threshold,
             max_depth,
             perturb,
             bins,
         } = settings;
         let splitting = match splitting {
             Splitting::Paper => "paper",
+            Splitting::Exact => "exact",
         };
         Self {
             splitting: Some(splitting.to_owned()),
             split_count: Some(*split_count),
             significance_threshold: Some(*significance_threshold),
+            roulette_threshold: Some(*roulette_threshold),
             max_depth: Some(*max_depth),
             perturb: Some(*perturb),
             bins: Some(*bins),

@@ -8,10 +8,12 @@ use crate::develop::{CountImage, LatentImage, XyzImage};
 use crate::error::RendererError;
 use crate::film::{Counts, Film, PixelRect};
 use crate::kernel::camera::{camera_ray, pixel_seed};
+use crate::kernel::fan_trace::trace_fans;
+use crate::kernel::ray::Ray;
 use crate::kernel::trace::trace;
-use crate::kernel::walk::{RayStack, Tally, Walk};
+use crate::kernel::walk::{RayStack, Tally, TraceRules, Walk};
 use crate::packed::PackedScene;
-use crate::settings::{NoiseGoal, TraceSettings};
+use crate::settings::{NoiseGoal, Splitting, TraceSettings};
 use crate::spectrum::Bins;
 use crate::statistics::{Ledger, Statistics};
 
@@ -44,8 +46,8 @@ impl CpuTracer {
         self.pool.current_num_threads()
     }
 
-    /// Traces one camera ray per pixel that is not settled and adds what it finds to `film`. The film's bits depend
-    /// only on the arguments and the number of the pass, not on the threads.
+    /// Traces one camera ray per pixel that is not settled and adds what it finds to `film`. The film's
+    /// bits depend only on the arguments and the number of the pass, not on the threads.
     ///
     /// Returns `None` where `is_cancelled` came true, asked before every pixel; the film is then
     /// of no more use.
@@ -59,42 +61,90 @@ impl CpuTracer {
     ) -> Option<Statistics> {
         let (rules, pass_index) = (rules(view, settings), film.passes());
         let (size, bins) = (film.size(), film.bins().count());
+        let pass = Pass { scene, view, rules: &rules, index: pass_index, size, is_cancelled };
         let strips = self.pool.install(|| {
             let (sums, counts, settled) = film.parts_mut();
-            sums.par_chunks_mut(STRIP_PIXELS * bins)
+            let strips = sums
+                .par_chunks_mut(STRIP_PIXELS * bins)
                 .zip(counts.par_chunks_mut(STRIP_PIXELS))
+                .zip(settled.par_chunks(STRIP_PIXELS))
                 .enumerate()
-                .map_init(RayStack::new, |stack, (strip, (sums, counts))| {
-                    let mut statistics = Statistics::default();
-                    let mut radiance = vec![0.0; bins];
-                    let pixels = sums.chunks_exact_mut(bins).zip(counts);
-                    for (i, (pixel, counts)) in pixels.enumerate() {
-                        if is_cancelled() {
-                            return None;
-                        }
-                        let number = (strip * STRIP_PIXELS + i) as u32;
-                        if settled[number as usize] {
-                            continue;
-                        }
-                        let (x, y) = (number % size[0], number / size[0]);
-                        let seed = pixel_seed(x, y);
-                        radiance.fill(0.0);
-                        let mut walk =
-                            Walk::new(scene, &rules, pass_index, seed, stack, &mut radiance);
-                        trace(&mut walk, &camera_ray(&view.frame, size, x, y, pass_index));
-                        let tally = walk.tally;
-                        pixel.iter_mut().zip(&radiance).for_each(|(sum, found)| *sum += found);
-                        *counts += Counts::of_sample(&tally, &radiance);
-                        statistics += pixel_statistics(&tally);
-                    }
-                    Some(statistics)
-                })
-                .collect::<Option<Vec<_>>>()
+                .map(|(number, ((sums, counts), settled))| Strip {
+                    number,
+                    bins,
+                    sums,
+                    counts,
+                    settled,
+                });
+            match settings.splitting {
+                Splitting::Paper => strips
+                    .map_init(RayStack::new, |stack, strip| pass.trace_strip(strip, stack, trace))
+                    .collect::<Option<Vec<_>>>(),
+                Splitting::Exact => strips
+                    .map_init(RayStack::of_fans, |stack, strip| {
+                        pass.trace_strip(strip, stack, trace_fans)
+                    })
+                    .collect(),
+            }
         })?;
         film.complete_pass();
         let mut statistics = Statistics::default();
         for strip in strips {
             statistics += strip;
+        }
+        Some(statistics)
+    }
+}
+
+/// What is the same for all pixels of a pass.
+struct Pass<'a> {
+    scene: &'a PackedScene,
+    view: &'a View,
+    rules: &'a TraceRules,
+    index: u32,
+    size: [u32; 2],
+    is_cancelled: &'a (dyn Fn() -> bool + Sync),
+}
+
+/// Pixels that follow each other.
+struct Strip<'a> {
+    number: usize,
+    bins: usize,
+    sums: &'a mut [f32],
+    counts: &'a mut [Counts],
+    settled: &'a [bool],
+}
+
+impl Pass<'_> {
+    /// Follows the camera ray of each pixel of a strip that is not settled; nothing where the pass is
+    /// cancelled.
+    fn trace_strip<R: Copy>(
+        &self,
+        strip: Strip<'_>,
+        stack: &mut RayStack<R>,
+        trace: impl Fn(&mut Walk<'_, R>, &Ray),
+    ) -> Option<Statistics> {
+        let mut statistics = Statistics::default();
+        let mut radiance = vec![0.0; strip.bins];
+        let pixels = strip.sums.chunks_exact_mut(strip.bins).zip(strip.counts).zip(strip.settled);
+        for (i, ((pixel, counts), is_settled)) in pixels.enumerate() {
+            if (self.is_cancelled)() {
+                return None;
+            }
+            if *is_settled {
+                continue;
+            }
+            let number = (strip.number * STRIP_PIXELS + i) as u32;
+            let (x, y) = (number % self.size[0], number / self.size[0]);
+            radiance.fill(0.0);
+            let seed = pixel_seed(x, y);
+            let mut walk =
+                Walk::new(self.scene, self.rules, self.index, seed, stack, &mut radiance);
+            trace(&mut walk, &camera_ray(&self.view.frame, self.size, x, y, self.index));
+            let tally = walk.tally;
+            pixel.iter_mut().zip(&radiance).for_each(|(sum, found)| *sum += found);
+            *counts += Counts::of_sample(&tally, &radiance);
+            statistics += pixel_statistics(&tally);
         }
         Some(statistics)
     }

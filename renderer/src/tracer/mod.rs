@@ -21,7 +21,7 @@ use crate::error::RendererError;
 use crate::film::{Film, PixelRect};
 use crate::kernel::walk::TraceRules;
 use crate::packed::PackedScene;
-use crate::settings::{NoiseGoal, TraceSettings};
+use crate::settings::{NoiseGoal, Splitting, TraceSettings};
 use crate::spectrum::Bins;
 use crate::statistics::Statistics;
 
@@ -119,9 +119,12 @@ pub(crate) fn rules(view: &View, settings: &TraceSettings) -> TraceRules {
     TraceRules {
         observer: view.observer,
         split_count: settings.split_count,
-        significance_threshold: settings.significance_threshold,
+        significance_threshold: match settings.splitting {
+            Splitting::Paper => settings.significance_threshold,
+            Splitting::Exact => settings.roulette_threshold,
+        },
         max_depth: settings.max_depth,
         perturb: u32::from(settings.perturb),
-        padding: 0,
+        cut_threshold: TraceSettings::CUT_SHARE * settings.roulette_threshold,
     }
 }

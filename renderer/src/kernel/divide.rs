@@ -1,0 +1,276 @@
+//! What becomes of a fan at an interface.
+
+use glam::Vec3A;
+
+use crate::kernel::axis::{axis_position_of, indices_at, wavelength_at};
+use crate::kernel::band::{fan_energy, retire_fan};
+use crate::kernel::fan::{
+    Fan, axis_position_in, axis_width, fan_through, part_of_fan, position_of,
+};
+use crate::kernel::fan_lights::end_at_lights;
+use crate::kernel::fan_trace::segment_count;
+use crate::kernel::fan_walk::{fate_of_fan, is_worth_dividing, largest, least_of, send_fan};
+use crate::kernel::fork::{absorber_of, interface_at, medium_beyond};
+use crate::kernel::interface::Interface;
+use crate::kernel::nodes::{
+    Nodes, basis_of, dot_each, high_node, low_node, middle_node, normalize_each, scale_each,
+    shift_each,
+};
+use crate::kernel::parabola::{crossings, parabola_at, parabola_through};
+use crate::kernel::ray::{Hit, Ray};
+use crate::kernel::reach::{is_convex_body, is_single};
+use crate::kernel::walk::{Fate, Walk};
+use crate::packed::{NONE, PackedScene};
+use crate::spectrum::LAMBDA_MIN_NM;
+
+/// Width of an interval, as a part of the dispersion axis, below which nothing divides it.
+pub const NARROW: f32 = 1e-4;
+
+/// By how much, in radians, directions between the nodes may be off before a refracted fan is divided.
+pub const DIRECTION_TOLERANCE: f32 = 2e-4;
+
+/// Difference of the squared cosines of refraction at the ends of a fan, over their sum, from which on
+/// its middle node is drawn to the critical wavelength.
+pub const DRAWING_CONTRAST: f32 = 0.4;
+
+/// Energy below which a fan lives by chance, over that of others, where it ends at the lights at once:
+/// it costs little.
+pub const LEAF_SHARE: f32 = 0.1;
+
+/// What three nodes of a fan meet at an interface.
+#[derive(Clone, Copy, Debug)]
+pub struct Crossing {
+    /// Relative indices n₁/n₂.
+    pub eta: Vec3A,
+    /// Cosines of the angles of incidence.
+    pub cos_i: Vec3A,
+    /// Squared cosines of the angles of refraction; 0 or less beyond the critical angle.
+    pub cos_t_squared: Vec3A,
+}
+
+/// Sends on what the interface at `hit` makes of `fan`, which has been moved to it; `ray` is its middle
+/// one. Where a part is totally reflected, the fan is divided there.
+#[inline]
+pub fn divide_fan(walk: &mut Walk<'_, Fan>, fan: &Fan, ray: &Ray, hit: &Hit) {
+    let scene = walk.scene;
+    let at = interface_at(scene, ray, hit);
+    let crossing = crossing_of(scene, &at, fan);
+    if largest(crossing.cos_t_squared) <= 0.0 {
+        reflect_fan(walk, fan, hit, &at, Vec3A::ONE);
+        return;
+    }
+    if least_of(crossing.cos_t_squared) > 0.0 || !is_worth_dividing(walk.rules, fan) {
+        refract_fan(walk, fan, ray, hit, &at);
+        return;
+    }
+    let cos_t_squared = parabola_through(crossing.cos_t_squared);
+    let [first, second] = crossings(&cos_t_squared);
+    let ends = [-1.0, first, second, 1.0];
+    for i in 0..3 {
+        if ends[i + 1] <= ends[i] {
+            continue;
+        }
+        let part = part_of_fan(fan, ends[i], ends[i + 1]);
+        if parabola_at(&cos_t_squared, 0.5 * (ends[i] + ends[i + 1])) <= 0.0 {
+            reflect_fan(walk, &part, hit, &at, Vec3A::ONE);
+        } else {
+            refract_fan(walk, &part, ray, hit, &at);
+        }
+    }
+}
+
+/// What the nodes of a fan meet at an interface.
+#[inline]
+pub fn crossing_of(scene: &PackedScene, at: &Interface, fan: &Fan) -> Crossing {
+    let eta =
+        indices_at(scene, at.medium_from, fan.axis) / indices_at(scene, at.medium_to, fan.axis);
+    let cos_i = -dot_each(&fan.direction, at.normal);
+    let sin_i_squared = Vec3A::ONE - cos_i * cos_i;
+    Crossing { eta, cos_i, cos_t_squared: Vec3A::ONE - eta * eta * sin_i_squared }
+}
+
+/// Unpolarised Fresnel reflectances at the nodes, as `fresnel` has them for one ray; 1 beyond the
+/// critical angle.
+#[inline]
+pub fn reflectances(crossing: &Crossing) -> Vec3A {
+    let (eta, cos_i) = (crossing.eta, crossing.cos_i.max(Vec3A::ZERO));
+    let cos_t = crossing.cos_t_squared.max(Vec3A::ZERO).sqrt();
+    // At the critical angle both amplitudes are 1 by themselves.
+    let parallel = (cos_i - eta * cos_t) / (cos_i + eta * cos_t).max(Vec3A::splat(1e-12));
+    let perpendicular = (eta * cos_i - cos_t) / (eta * cos_i + cos_t).max(Vec3A::splat(1e-12));
+    let reflectance = (parallel * parallel + perpendicular * perpendicular) * 0.5;
+    let is_total = crossing.cos_t_squared.cmple(Vec3A::ZERO);
+    Vec3A::select(is_total, Vec3A::ONE, reflectance.clamp(Vec3A::ZERO, Vec3A::ONE))
+}
+
+/// Sends on the reflected part, whose weight is multiplied by `factor`.
+#[inline]
+pub fn reflect_fan(walk: &mut Walk<'_, Fan>, fan: &Fan, hit: &Hit, at: &Interface, factor: Vec3A) {
+    let mut reflected = *fan;
+    reflected.weight = fan.weight * factor;
+    reflected.instance = hit.instance;
+    reflected.facet = hit.facet;
+    reflected.depth += 1;
+    let along = dot_each(&fan.direction, at.normal);
+    reflected.direction = shift_each(&fan.direction, at.normal, along.min(Vec3A::ZERO) * -2.0);
+    send_fan(walk, &reflected);
+}
+
+/// Sends on the refracted and the reflected part of a fan of which at least one node is refracted. It is
+/// divided where its weights or its directions bend too much for three nodes.
+#[inline]
+pub fn refract_fan(walk: &mut Walk<'_, Fan>, incident: &Fan, ray: &Ray, hit: &Hit, at: &Interface) {
+    let scene = walk.scene;
+    let (whole, is_drawn) = drawn_to_critical(scene, incident, at);
+    let divides_by_bins = pays_on_entering(scene, &whole, medium_beyond(ray, hit));
+    let mut part = whole;
+    let mut low = -1.0;
+    let mut high: f32 = 1.0;
+    if divides_by_bins {
+        high = end_of_bin(scene, &whole, low);
+        part = part_of_fan(&whole, low, high);
+    }
+    loop {
+        let crossing = crossing_of(scene, at, &part);
+        let reflectance = reflectances(&crossing);
+        let refracted = refracted_fan(scene, &part, ray, hit, at, &crossing, reflectance);
+        let is_rough = (is_drawn && is_misjudged(walk, at, &part, reflectance))
+            || is_bent(&refracted.direction);
+        if is_rough && is_worth_dividing(walk.rules, &part) && axis_width(&part) > NARROW {
+            high = 0.5 * (low + high);
+        } else {
+            reflect_fan(walk, &part, hit, at, reflectance);
+            send_refracted(walk, &refracted);
+            if high >= 1.0 {
+                return;
+            }
+            // Next to the critical wavelength parts are narrow; away from it each may be twice as wide.
+            let step = 2.0 * (high - low);
+            low = high;
+            high = (low + step).min(1.0);
+            if divides_by_bins {
+                high = high.min(end_of_bin(scene, &whole, low));
+            }
+        }
+        part = part_of_fan(&whole, low, high);
+    }
+}
+
+/// Whether between the nodes the parabola through the reflectances puts more energy into the wrong part
+/// than is worth telling apart.
+#[inline]
+pub fn is_misjudged(walk: &Walk<'_, Fan>, at: &Interface, fan: &Fan, reflectance: Vec3A) -> bool {
+    let between = fan_through(fan, Vec3A::new(-0.5, 0.0, 0.5));
+    let judged = basis_of(Vec3A::new(-0.5, 0.0, 0.5)) * reflectance;
+    let missed = (reflectances(&crossing_of(walk.scene, at, &between)) - judged).abs();
+    missed.x.max(missed.z) * largest(fan.weight) * axis_width(fan) > walk.rules.cut_threshold
+}
+
+/// The fan with its middle node so near to the critical wavelength that the cosine of refraction there
+/// is about the mean of those at the ends, and whether that is elsewhere than it was: the cosine is the
+/// root of what is linear along the axis, and with it go reflectance and direction.
+#[inline]
+pub fn drawn_to_critical(scene: &PackedScene, fan: &Fan, at: &Interface) -> (Fan, bool) {
+    let cos_t_squared = crossing_of(scene, at, fan).cos_t_squared;
+    let low = cos_t_squared.x.max(0.0);
+    let high = cos_t_squared.z.max(0.0);
+    let difference = high - low;
+    if difference.abs() <= DRAWING_CONTRAST * (high + low) {
+        return (*fan, false);
+    }
+    let mean = 0.5 * (low.sqrt() + high.sqrt());
+    let share = (mean * mean - low) / difference;
+    let middle = position_of(fan, fan.axis.x + share * axis_width(fan));
+    (fan_through(fan, Vec3A::new(-1.0, middle, 1.0)), true)
+}
+
+/// The fan beyond the interface.
+#[inline]
+pub fn refracted_fan(
+    scene: &PackedScene,
+    fan: &Fan,
+    ray: &Ray,
+    hit: &Hit,
+    at: &Interface,
+    crossing: &Crossing,
+    reflectance: Vec3A,
+) -> Fan {
+    let medium = medium_beyond(ray, hit);
+    let cos_t = crossing.cos_t_squared.max(Vec3A::ZERO).sqrt();
+    let along = scale_each(&fan.direction, crossing.eta);
+    let mut refracted = *fan;
+    refracted.direction =
+        normalize_each(&shift_each(&along, at.normal, crossing.eta * crossing.cos_i - cos_t));
+    refracted.weight = fan.weight * (Vec3A::ONE - reflectance);
+    refracted.instance = hit.instance;
+    refracted.facet = hit.facet;
+    refracted.medium = medium;
+    refracted.enclosing = if medium == hit.instance { ray.medium } else { NONE };
+    refracted.depth += 1;
+    let next = absorber_of(scene, medium);
+    if fan.absorber == NONE && next != NONE {
+        refracted.absorber = next;
+        refracted.path_mm = Vec3A::ZERO;
+    }
+    refracted
+}
+
+/// Sends on a refracted fan. A path through another coloured material is paid for first, by its mean
+/// over the interval, which for that is at most one bin wide. What leaves the only body of a scene is
+/// at the lights.
+#[inline]
+pub fn send_refracted(walk: &mut Walk<'_, Fan>, refracted: &Fan) {
+    let scene = walk.scene;
+    let mut fan = *refracted;
+    if pays_on_entering(scene, &fan, fan.medium) {
+        let energy = fan_energy(scene, &fan);
+        let kept = retire_fan(walk, &fan);
+        fan.weight *= kept / energy.max(1e-12);
+        fan.absorber = absorber_of(scene, fan.medium);
+        fan.path_mm = Vec3A::ZERO;
+    }
+    if walk.keeps_all || !can_only_meet_lights(scene, &fan) {
+        send_fan(walk, &fan);
+        return;
+    }
+    let threshold = LEAF_SHARE * walk.rules.significance_threshold;
+    if fate_of_fan(walk, &mut fan, threshold) == Fate::Kept {
+        walk.tally.segments += segment_count(&fan);
+        walk.tally.depth = walk.tally.depth.max(fan.depth);
+        end_at_lights(walk, &fan);
+    }
+}
+
+/// Whether the fan has left the only body of the scene, which is convex.
+#[inline]
+pub fn can_only_meet_lights(scene: &PackedScene, fan: &Fan) -> bool {
+    fan.medium == NONE && is_single(scene) && is_convex_body(scene, fan.instance)
+}
+
+/// Whether the fan, having run through one coloured material, enters another.
+#[inline]
+pub fn pays_on_entering(scene: &PackedScene, fan: &Fan, medium: u32) -> bool {
+    let next = absorber_of(scene, medium);
+    fan.absorber != NONE && next != NONE && next != fan.absorber
+}
+
+/// The position in the fan at which the bin ends that `position` lies in.
+#[inline]
+pub fn end_of_bin(scene: &PackedScene, fan: &Fan, position: f32) -> f32 {
+    let width_nm = scene.bins.width_nm();
+    let lambda_nm = wavelength_at(scene, axis_position_in(fan, position));
+    let bin = ((lambda_nm - LAMBDA_MIN_NM) / width_nm + 1e-3).floor();
+    let end = axis_position_of(scene, LAMBDA_MIN_NM + (bin + 1.0) * width_nm);
+    if end < fan.axis.z { position_of(fan, end) } else { 1.0 }
+}
+
+/// Whether directions bend too much between the nodes for a parabola to follow them: what three
+/// nodes can't tell is about the square of their bend over their difference.
+#[inline]
+pub fn is_bent(directions: &Nodes) -> bool {
+    let (low, high) = (low_node(directions), high_node(directions));
+    let bend = middle_node(directions) - (low + high) * 0.5;
+    let bend_squared = bend.length_squared();
+    let limit = DIRECTION_TOLERANCE * DIRECTION_TOLERANCE * (high - low).length_squared();
+    bend_squared * bend_squared > limit
+}

@@ -1,0 +1,78 @@
+//! Following fans of rays through the tree of a camera ray's descendants.
+
+use crate::kernel::band::retire_fan;
+use crate::kernel::divide::{NARROW, divide_fan};
+use crate::kernel::fan::{Fan, axis_position_in, is_dispersed, part_of_fan, ray_in_fan};
+use crate::kernel::fan_lights::end_at_lights;
+use crate::kernel::fan_matte::shade_fan;
+use crate::kernel::fan_walk::send_fan;
+use crate::kernel::ray::Ray;
+use crate::kernel::reach::{arrive, reach};
+use crate::kernel::trace::{is_lost, meets_opaque, next_surface};
+use crate::kernel::walk::Walk;
+use crate::packed::NONE;
+
+/// Follows `camera_ray` and all that comes of it to the end, as fans.
+#[inline]
+pub fn trace_fans(walk: &mut Walk<'_, Fan>, camera_ray: &Ray) {
+    send_fan(walk, &Fan::white(camera_ray.origin, camera_ray.direction));
+    while walk.has_rays() {
+        follow_fan(walk);
+    }
+}
+
+/// Takes the next fan that waits to the next surface, or to the lights. Only the part about its middle
+/// goes there; what meets other surfaces waits again.
+#[inline]
+pub fn follow_fan(walk: &mut Walk<'_, Fan>) {
+    let scene = walk.scene;
+    let fan = walk.pop();
+    walk.tally.segments += segment_count(&fan);
+    walk.tally.depth = walk.tally.depth.max(fan.depth);
+    let mut middle = ray_in_fan(&fan, 0.0);
+    let hit = next_surface(scene, &mut middle);
+    let reached = reach(walk, &fan, &middle, &hit);
+    let part = send_rest(walk, &fan, reached);
+    if is_lost(&middle, &hit) {
+        let energy = retire_fan(walk, &part);
+        walk.tally.lost += energy;
+    } else if hit.instance == NONE {
+        end_at_lights(walk, &part);
+    } else {
+        let height = (middle.origin + middle.direction * hit.distance).dot(hit.normal);
+        let arrived = arrive(scene, &part, &hit, height);
+        if meets_opaque(scene, &hit) {
+            shade_fan(walk, &arrived, &hit);
+        } else {
+            divide_fan(walk, &arrived, &middle, &hit);
+        }
+    }
+}
+
+/// Rays that are traced for a fan: one while all wavelengths take the same way.
+#[inline]
+pub fn segment_count(fan: &Fan) -> u32 {
+    if is_dispersed(fan) { 3 } else { 1 }
+}
+
+/// Sends what is outside of the reached part of the fan back to wait, and gives that part.
+#[inline]
+pub fn send_rest(walk: &mut Walk<'_, Fan>, fan: &Fan, reached: [f32; 2]) -> Fan {
+    let [mut low, mut high] = reached;
+    if axis_position_in(fan, low) - fan.axis.x <= NARROW {
+        low = -1.0;
+    }
+    if fan.axis.z - axis_position_in(fan, high) <= NARROW {
+        high = 1.0;
+    }
+    if low == -1.0 && high == 1.0 {
+        return *fan;
+    }
+    if high < 1.0 {
+        send_fan(walk, &part_of_fan(fan, high, 1.0));
+    }
+    if low > -1.0 {
+        send_fan(walk, &part_of_fan(fan, -1.0, low));
+    }
+    part_of_fan(fan, low, high)
+}
