@@ -97,6 +97,10 @@ fn dot(ui: &mut Ui, color: Color32) {
 }
 
 /// The energy ledger, each account in percent of what entered.
+/// What is pruned.
+const PRUNED: &str = "Energy of rays that ended for being weak. By exact splitting chance ends them, \
+                      and those that live carry as much more: in the mean nothing is lost.";
+
 fn ledger_ui(ui: &mut Ui, progress: &Progress) {
     let ledger = &progress.statistics.ledger;
     if ledger.entered <= 0.0 {
@@ -105,7 +109,7 @@ fn ledger_ui(ui: &mut Ui, progress: &Progress) {
     let mut accounts = vec![
         (ledger.returned, "returned", "Energy that reached a light, the sky or the ground."),
         (ledger.absorbed, "absorbed", "Energy that the colour of the stone swallowed."),
-        (ledger.pruned, "pruned", "Energy of rays that ended below the significance threshold."),
+        (ledger.pruned, "pruned", PRUNED),
         (ledger.cut_off, "cut off", "Energy of rays that ended at the maximum depth."),
     ];
     if ledger.lost > 0.0 {
