@@ -136,7 +136,7 @@ pub(crate) fn rules(settings: &TraceSettings) -> TraceRules {
         significance_threshold: settings.significance_threshold,
         max_depth: settings.max_depth,
         perturb: u32::from(settings.perturb),
-        padding: 0,
+        cut_threshold: 0.2 * settings.significance_threshold,
     }
 }
 

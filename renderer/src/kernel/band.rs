@@ -57,9 +57,8 @@ pub fn bin_part(scene: &PackedScene, band: &Band, bin: u32) -> BinPart {
     let mut position_squared;
     if overlap >= 1.0 {
         let [mean, mean_square] = axis_moments(scene, bin);
-        let offset = mean - band.middle;
-        position = offset;
-        position_squared = offset * offset + (mean_square - mean * mean).max(0.0);
+        position = mean - band.middle;
+        position_squared = position * position + (mean_square - mean * mean).max(0.0);
     } else {
         // Simpson's rule over what is covered.
         let low = band.range.low.max(bin as f32);

@@ -4,9 +4,8 @@ use glam::Vec3A;
 
 use crate::kernel::axis::{axis_position_of, indices_at, wavelength_at};
 use crate::kernel::band::{fan_energy, retire_fan};
-use crate::kernel::fan::{Fan, axis_position_in, axis_positions, part_of_fan};
+use crate::kernel::fan::{Fan, axis_position_in, axis_positions, part_of_fan, segment_count};
 use crate::kernel::fan_lights::end_at_lights;
-use crate::kernel::fan_trace::segment_count;
 use crate::kernel::fan_walk::{fate_of_fan, is_worth_dividing, largest, least_of, send_fan};
 use crate::kernel::fork::{absorber_of, interface_at, medium_beyond};
 use crate::kernel::interface::Interface;
@@ -138,7 +137,7 @@ pub fn refract_fan(
     while low < 1.0 {
         let mut high = (low + step).min(1.0);
         if divides_by_bins {
-            high = high.min(end_of_bin(scene, fan, low));
+            high = high.min(end_of_bin(scene, fan, low).max(low + 1e-3));
         }
         let part = part_of_fan(fan, low, high);
         let crossing = crossing_of(scene, at, &part);

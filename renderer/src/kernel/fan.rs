@@ -7,7 +7,7 @@
 use glam::{Vec3, Vec3A};
 
 use crate::kernel::nodes::{
-    Nodes, basis_at, basis_between, blend, blend_nodes, equal_nodes, normalize_each,
+    Nodes, basis_at, basis_between, blend, blend_nodes, equal_nodes, middle_node, normalize_each,
 };
 use crate::kernel::ray::Ray;
 use crate::packed::NONE;
@@ -41,24 +41,22 @@ pub struct Fan {
     pub absorber: u32,
 }
 
-impl Fan {
-    /// The whole spectrum along one ray, with weight 1.
-    #[inline]
-    pub fn white(origin: Vec3, direction: Vec3) -> Self {
-        Self {
-            origin: equal_nodes(origin),
-            direction: equal_nodes(direction),
-            weight: Vec3A::ONE,
-            path_mm: Vec3A::ZERO,
-            low: 0.0,
-            high: 1.0,
-            instance: NONE,
-            facet: NONE,
-            medium: NONE,
-            enclosing: NONE,
-            depth: 0,
-            absorber: NONE,
-        }
+/// The whole spectrum along one ray, with weight 1.
+#[inline]
+pub fn white_fan(origin: Vec3, direction: Vec3) -> Fan {
+    Fan {
+        origin: equal_nodes(origin),
+        direction: equal_nodes(direction),
+        weight: Vec3A::ONE,
+        path_mm: Vec3A::ZERO,
+        low: 0.0,
+        high: 1.0,
+        instance: NONE,
+        facet: NONE,
+        medium: NONE,
+        enclosing: NONE,
+        depth: 0,
+        absorber: NONE,
     }
 }
 
@@ -82,6 +80,12 @@ pub fn is_dispersed(fan: &Fan) -> bool {
         || fan.direction.z.x != fan.direction.z.z
 }
 
+/// Rays that are traced for a fan: one while all wavelengths take the same way.
+#[inline]
+pub fn segment_count(fan: &Fan) -> u32 {
+    if is_dispersed(fan) { 3 } else { 1 }
+}
+
 /// The part of the fan between two positions in it.
 #[inline]
 pub fn part_of_fan(fan: &Fan, low: f32, high: f32) -> Fan {
@@ -100,8 +104,8 @@ pub fn part_of_fan(fan: &Fan, low: f32, high: f32) -> Fan {
 #[inline]
 pub fn gathered(fan: &Fan) -> Fan {
     let mut together = *fan;
-    together.origin = equal_nodes(blend(&fan.origin, Vec3A::Y));
-    together.direction = equal_nodes(blend(&fan.direction, Vec3A::Y));
+    together.origin = equal_nodes(middle_node(&fan.origin));
+    together.direction = equal_nodes(middle_node(&fan.direction));
     together.path_mm = Vec3A::splat(fan.path_mm.y);
     together
 }

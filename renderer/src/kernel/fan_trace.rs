@@ -2,7 +2,7 @@
 
 use crate::kernel::band::retire_fan;
 use crate::kernel::divide::{NARROW, divide_fan};
-use crate::kernel::fan::{Fan, is_dispersed, part_of_fan, ray_in_fan};
+use crate::kernel::fan::{Fan, part_of_fan, ray_in_fan, segment_count, white_fan};
 use crate::kernel::fan_lights::end_at_lights;
 use crate::kernel::fan_matte::shade_fan;
 use crate::kernel::fan_walk::send_fan;
@@ -15,7 +15,7 @@ use crate::packed::NONE;
 /// Follows `camera_ray` and all that comes of it to the end, as fans.
 #[inline]
 pub fn trace_fans(walk: &mut Walk<'_, Fan>, camera_ray: &Ray) {
-    send_fan(walk, &Fan::white(camera_ray.origin, camera_ray.direction));
+    send_fan(walk, &white_fan(camera_ray.origin, camera_ray.direction));
     while walk.has_rays() {
         follow_fan(walk);
     }
@@ -47,12 +47,6 @@ pub fn follow_fan(walk: &mut Walk<'_, Fan>) {
             divide_fan(walk, &arrived, &middle, &hit);
         }
     }
-}
-
-/// Rays that are traced for a fan: one while all wavelengths take the same way.
-#[inline]
-pub fn segment_count(fan: &Fan) -> u32 {
-    if is_dispersed(fan) { 3 } else { 1 }
 }
 
 /// Sends what is outside of the reached part of the fan back to wait, and gives that part.

@@ -110,11 +110,13 @@ pub fn meets_same(walk: &mut Walk<'_, Fan>, fan: &Fan, hit: &Hit, position: f32)
 /// dividing, all take the middle one's place.
 #[inline]
 pub fn arrive(scene: &PackedScene, fan: &Fan, hit: &Hit, height: f32) -> Fan {
-    let towards = dot_each(&fan.direction, hit.normal);
-    let mut distance = (Vec3A::splat(height) - dot_each(&fan.origin, hit.normal)) / towards;
-    let sense = if towards.y < 0.0 { -1.0 } else { 1.0 };
+    let along = dot_each(&fan.direction, hit.normal);
+    let sense = if along.y < 0.0 { -1.0 } else { 1.0 };
+    let towards = along * sense;
+    let gap = (Vec3A::splat(height) - dot_each(&fan.origin, hit.normal)) * sense;
+    let mut distance = gap / towards.max(Vec3A::splat(1e-12));
     let mut arrived = *fan;
-    if least_of(towards * sense) < GRAZING || least_of(distance) < -DRIFT_MM {
+    if least_of(towards) < GRAZING || least_of(distance) < -DRIFT_MM {
         arrived = gathered(fan);
         distance = Vec3A::splat(distance.y);
     }

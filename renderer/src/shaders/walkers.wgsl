@@ -74,7 +74,7 @@ fn walk_items(@builtin(global_invocation_id) id: vec3u) {
             }
         }
         if has_rays() {
-            follow();
+            get_on();
         }
     }
     if !has_rays() {
@@ -126,7 +126,7 @@ fn begin_item() -> bool {
     for (var bin = 0u; bin < frame.bin_count; bin++) {
         radiance[walk.walker * frame.bin_count + bin] = 0.0;
     }
-    send(camera_ray(x, y, walk.pass_index));
+    set_out(camera_ray(x, y, walk.pass_index));
     return true;
 }
 

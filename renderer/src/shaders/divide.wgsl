@@ -1,0 +1,201 @@
+// What becomes of a fan at an interface.
+
+// What three nodes of a fan meet at an interface.
+struct Crossing {
+    eta: vec3f,
+    cos_i: vec3f,
+    cos_t_squared: vec3f,
+}
+
+// Sends on what the interface at `hit` makes of `fan`, which has been moved to it; `ray` is its middle
+// one. Where a part is totally reflected, the fan is divided there.
+fn divide_fan(fan: Fan, ray: Ray, hit: Hit) {
+    let at = interface_at(ray, hit);
+    let crossing = crossing_of(at, fan);
+    if largest(crossing.cos_t_squared) <= 0.0 {
+        reflect_fan(fan, hit, at, vec3f(1.0));
+        return;
+    }
+    if least_of(crossing.cos_t_squared) > 0.0 || !is_worth_dividing(fan) {
+        refract_fan(fan, ray, hit, at, crossing);
+        return;
+    }
+    let cos_t_squared = parabola_through(crossing.cos_t_squared);
+    let crossed = crossings(cos_t_squared);
+    let ends = vec4f(-1.0, crossed, 1.0);
+    for (var i = 0u; i < 3u; i++) {
+        let width = (ends[i + 1u] - ends[i]) * 0.5 * (fan.high - fan.low);
+        if width <= 0.0 {
+            continue;
+        }
+        let part = part_of_fan(fan, ends[i], ends[i + 1u]);
+        if parabola_at(cos_t_squared, 0.5 * (ends[i] + ends[i + 1u])) <= 0.0 {
+            reflect_fan(part, hit, at, vec3f(1.0));
+        } else {
+            refract_fan(part, ray, hit, at, crossing_of(at, part));
+        }
+    }
+}
+
+// What the nodes of a fan meet at an interface.
+fn crossing_of(at: Interface, fan: Fan) -> Crossing {
+    let positions = axis_positions(fan);
+    let eta = indices_at(at.medium_from, positions) / indices_at(at.medium_to, positions);
+    let cos_i = -dot_each(fan.direction, at.normal);
+    let sin_i_squared = 1.0 - cos_i * cos_i;
+    return Crossing(eta, cos_i, 1.0 - eta * eta * sin_i_squared);
+}
+
+// Unpolarised Fresnel reflectances at the nodes, as `fresnel` has them for one ray; 1 beyond the
+// critical angle.
+fn reflectances(crossing: Crossing) -> vec3f {
+    let eta = crossing.eta;
+    let cos_i = max(crossing.cos_i, vec3f(0.0));
+    let cos_t = sqrt(max(crossing.cos_t_squared, vec3f(0.0)));
+    // At the critical angle both amplitudes are 1 by themselves.
+    let parallel = (cos_i - eta * cos_t) / max(cos_i + eta * cos_t, vec3f(1e-12));
+    let perpendicular = (eta * cos_i - cos_t) / max(eta * cos_i + cos_t, vec3f(1e-12));
+    let reflectance = (parallel * parallel + perpendicular * perpendicular) * 0.5;
+    let is_total = crossing.cos_t_squared <= vec3f(0.0);
+    return select(clamp(reflectance, vec3f(0.0), vec3f(1.0)), vec3f(1.0), is_total);
+}
+
+// Sends on the reflected part, whose weight is multiplied by `factor`.
+fn reflect_fan(fan: Fan, hit: Hit, at: Interface, factor: vec3f) {
+    var reflected = fan;
+    reflected.weight = fan.weight * factor;
+    reflected.instance = hit.instance;
+    reflected.facet = hit.facet;
+    reflected.depth += 1u;
+    let along = dot_each(fan.direction, at.normal);
+    reflected.direction = shift_each(fan.direction, at.normal, min(along, vec3f(0.0)) * -2.0);
+    send_fan(reflected);
+}
+
+// Sends on the refracted and the reflected part of a fan of which at least one node is refracted.
+//
+// The refracted part is divided where its directions bend too much for three nodes, as they do next
+// to the critical angle. Then the reflected part's weight at its middle is what makes its energy the
+// rest.
+fn refract_fan(fan: Fan, ray: Ray, hit: Hit, at: Interface, crossing: Crossing) {
+    let reflectance = reflectances(crossing);
+    let refracted = refracted_fan(fan, ray, hit, at, crossing, reflectance);
+    let divides_by_bins = pays_on_entering(fan, refracted.medium);
+    let divides = is_bent(refracted.direction) && is_worth_dividing(refracted);
+    if !divides && !divides_by_bins {
+        reflect_fan(fan, hit, at, reflectance);
+        send_refracted(refracted);
+        return;
+    }
+    var rest = fan_energy(fan);
+    var low = -1.0;
+    var step = 2.0;
+    while low < 1.0 {
+        var high = min(low + step, 1.0);
+        if divides_by_bins {
+            high = min(high, max(end_of_bin(fan, low), low + 1e-3));
+        }
+        let part = part_of_fan(fan, low, high);
+        let crossing = crossing_of(at, part);
+        let reflectance = reflectances(crossing);
+        let refracted = refracted_fan(part, ray, hit, at, crossing, reflectance);
+        let is_narrow = part.high - part.low <= NARROW;
+        if !is_narrow && is_bent(refracted.direction) && is_worth_dividing(refracted) {
+            step = 0.5 * (high - low);
+            continue;
+        }
+        rest -= fan_energy(refracted);
+        send_refracted(refracted);
+        low = high;
+        step *= 2.0;
+    }
+    reflect_fan(with_energy(fan, reflectance, rest), hit, at, vec3f(1.0));
+}
+
+// The fan with its weights multiplied by `factor`, but for the middle one, which is such that the
+// fan's energy is `energy`.
+fn with_energy(fan: Fan, factor: vec3f, energy: f32) -> Fan {
+    var adjusted = fan;
+    adjusted.weight = vec3f(0.0, 1.0, 0.0);
+    let per_weight = fan_energy(adjusted);
+    adjusted.weight = fan.weight * factor;
+    let missing = energy - fan_energy(adjusted);
+    adjusted.weight.y = max(adjusted.weight.y + missing / max(per_weight, 1e-12), 0.0);
+    return adjusted;
+}
+
+// The fan beyond the interface.
+fn refracted_fan(
+    fan: Fan,
+    ray: Ray,
+    hit: Hit,
+    at: Interface,
+    crossing: Crossing,
+    reflectance: vec3f,
+) -> Fan {
+    let medium = medium_beyond(ray, hit);
+    let cos_t = sqrt(max(crossing.cos_t_squared, vec3f(0.0)));
+    let along = scale_each(fan.direction, crossing.eta);
+    var refracted = fan;
+    refracted.direction =
+        normalize_each(shift_each(along, at.normal, crossing.eta * crossing.cos_i - cos_t));
+    refracted.weight = fan.weight * (1.0 - reflectance);
+    refracted.instance = hit.instance;
+    refracted.facet = hit.facet;
+    refracted.medium = medium;
+    refracted.enclosing = select(NONE, ray.medium, medium == hit.instance);
+    refracted.depth += 1u;
+    let next = absorber_of(medium);
+    if fan.absorber == NONE && next != NONE {
+        refracted.absorber = next;
+        refracted.path_mm = vec3f(0.0);
+    }
+    return refracted;
+}
+
+// Sends on a refracted fan. A path through another coloured material is paid for first, by its mean
+// over the interval, which for that is at most one bin wide. What leaves the only body of a scene is
+// at the lights.
+fn send_refracted(refracted: Fan) {
+    var fan = refracted;
+    if pays_on_entering(fan, fan.medium) {
+        let energy = fan_energy(fan);
+        let kept = retire_fan(fan);
+        fan.weight *= kept / max(energy, 1e-12);
+        fan.absorber = absorber_of(fan.medium);
+        fan.path_mm = vec3f(0.0);
+    }
+    let is_at_lights = fan.medium == NONE && is_single() && is_convex_body(fan.instance);
+    if is_at_lights && fate_of_fan(fan, 0u) == FATE_KEPT {
+        walk.tally.segments += segment_count(fan);
+        walk.tally.depth = max(walk.tally.depth, fan.depth);
+        end_at_lights(fan);
+    } else {
+        send_fan(fan);
+    }
+}
+
+// Whether the fan, having run through one coloured material, enters another.
+fn pays_on_entering(fan: Fan, medium: u32) -> bool {
+    let next = absorber_of(medium);
+    return fan.absorber != NONE && next != NONE && next != fan.absorber;
+}
+
+// The position in the fan at which the bin ends that `position` lies in.
+fn end_of_bin(fan: Fan, position: f32) -> f32 {
+    let lambda_nm = wavelength_at(axis_position_in(fan, position));
+    let bin = floor((lambda_nm - LAMBDA_MIN_NM) / frame.bin_width_nm + 1e-3);
+    let end = axis_position_of(LAMBDA_MIN_NM + (bin + 1.0) * frame.bin_width_nm);
+    return 2.0 * (end - fan.low) / max(fan.high - fan.low, 1e-9) - 1.0;
+}
+
+// Whether directions bend too much between the nodes for a parabola to follow them: what three
+// nodes can't tell is about the square of their bend over their difference.
+fn is_bent(directions: Nodes) -> bool {
+    let low = low_node(directions);
+    let high = high_node(directions);
+    let bend = middle_node(directions) - (low + high) * 0.5;
+    let bend_squared = length_squared(bend);
+    let limit = DIRECTION_TOLERANCE * DIRECTION_TOLERANCE * length_squared(high - low);
+    return bend_squared * bend_squared > limit;
+}

@@ -1,0 +1,70 @@
+// Fans that are sent on: they wait to be followed, or go into the books.
+
+// `FAN_STACK_LEN` fans per walker, in place of the rays.
+@group(1) @binding(1) var<storage, read_write> fans: array<Fan>;
+
+// Takes the fan that was put on the stack last.
+fn pop_fan() -> Fan {
+    walk.stack_count--;
+    return fans[walk.walker * FAN_STACK_LEN + walk.stack_count];
+}
+
+// Has a fan wait, for which there must be room.
+fn push_fan(fan: Fan) {
+    fans[walk.walker * FAN_STACK_LEN + walk.stack_count] = fan;
+    walk.stack_count++;
+}
+
+// Puts a fan on the stack, or into the books where it is too weak, too deep or too much.
+fn send_fan(fan: Fan) {
+    let fate = fate_of_fan(fan, waiting());
+    if fate == FATE_KEPT {
+        push_fan(fan);
+        return;
+    }
+    let energy = retire_fan(fan);
+    if fate == FATE_TOO_WEAK {
+        walk.tally.pruned += energy;
+    } else {
+        walk.tally.cut_off += energy;
+    }
+}
+
+// What becomes of a fan that is sent on while `waiting` others wait.
+fn fate_of_fan(fan: Fan, waiting: u32) -> u32 {
+    if significance_bound(fan) < frame.rules.significance_threshold {
+        return FATE_TOO_WEAK;
+    }
+    if fan.depth > frame.rules.max_depth {
+        return FATE_TOO_DEEP;
+    }
+    if waiting == FAN_STACK_LEN {
+        return FATE_TOO_MANY;
+    }
+    return FATE_KEPT;
+}
+
+// The largest of the fan's weights, after the least that its path may have absorbed.
+fn significance_bound(fan: Fan) -> f32 {
+    let weight = largest(fan.weight);
+    if fan.absorber == NONE {
+        return weight;
+    }
+    let path_mm = max(least_of(fan.path_mm), 0.0);
+    return weight * exp(-materials[fan.absorber].least_absorption * path_mm);
+}
+
+// The largest of the values at the nodes.
+fn largest(values: vec3f) -> f32 {
+    return max(values.x, max(values.y, values.z));
+}
+
+// The least of the values at the nodes.
+fn least_of(values: vec3f) -> f32 {
+    return min(values.x, min(values.y, values.z));
+}
+
+// Whether the fan carries enough for its wavelengths to be told apart where they part.
+fn is_worth_dividing(fan: Fan) -> bool {
+    return largest(fan.weight) * (fan.high - fan.low) >= frame.rules.cut_threshold;
+}
