@@ -13,6 +13,8 @@ pub(crate) struct Meeting {
     pub(crate) distance: f64,
     /// Outward unit normal of the body.
     pub(crate) normal: DVec3,
+    /// Number of the plane or triangle.
+    pub(crate) facet: usize,
 }
 
 /// A clear body in the world.
@@ -113,36 +115,36 @@ impl Triangle {
 /// The nearest plane that the ray crosses outwards.
 fn leave_convex(planes: &[Plane], origin: DVec3, direction: DVec3) -> Option<Meeting> {
     // Distances are compared as fractions: one division is enough.
-    let (mut gap, mut towards, mut normal) = (1.0, 0.0, DVec3::ZERO);
-    for plane in planes {
+    let (mut gap, mut towards, mut facet) = (1.0, 0.0, 0);
+    for (i, plane) in planes.iter().enumerate() {
         let plane_towards = plane.normal.dot(direction);
         let plane_gap = plane.distance - plane.normal.dot(origin);
         if plane_towards > 0.0 && plane_gap * towards < gap * plane_towards {
-            (gap, towards, normal) = (plane_gap, plane_towards, plane.normal);
+            (gap, towards, facet) = (plane_gap, plane_towards, i);
         }
     }
-    (towards > 0.0).then(|| Meeting { distance: (gap / towards).max(0.0), normal })
+    let distance = (gap / towards).max(0.0);
+    (towards > 0.0).then(|| Meeting { distance, normal: planes[facet].normal, facet })
 }
 
 /// The farthest plane that the ray crosses inwards, if that is before any that it crosses outwards.
 fn enter_convex(planes: &[Plane], origin: DVec3, direction: DVec3) -> Option<Meeting> {
-    let mut entry = Meeting { distance: START_MM, normal: DVec3::ZERO };
-    let mut exit_distance = f64::INFINITY;
-    for plane in planes {
+    let mut entry = None;
+    let (mut entry_distance, mut exit_distance) = (START_MM, f64::INFINITY);
+    for (facet, plane) in planes.iter().enumerate() {
         let towards = plane.normal.dot(direction);
         let gap = plane.distance - plane.normal.dot(origin);
         let distance = gap / towards;
-        if towards < 0.0 {
-            if distance > entry.distance {
-                entry = Meeting { distance, normal: plane.normal };
-            }
+        if towards < 0.0 && distance > entry_distance {
+            entry_distance = distance;
+            entry = Some(Meeting { distance, normal: plane.normal, facet });
         } else if towards > 0.0 {
             exit_distance = exit_distance.min(distance);
-        } else if gap < 0.0 {
+        } else if towards == 0.0 && gap < 0.0 {
             return None;
         }
     }
-    (entry.normal != DVec3::ZERO && entry.distance < exit_distance).then_some(entry)
+    entry.filter(|entry| entry.distance < exit_distance)
 }
 
 /// The nearest triangle whose normal points along the ray, for a `side` of 1, or against it, for −1.
@@ -150,10 +152,11 @@ fn enter_convex(planes: &[Plane], origin: DVec3, direction: DVec3) -> Option<Mee
 fn nearest(triangles: &[Triangle], origin: DVec3, direction: DVec3, side: f64) -> Option<Meeting> {
     triangles
         .iter()
-        .filter(|triangle| side * triangle.normal.dot(direction) > 0.0)
-        .filter_map(|triangle| {
+        .enumerate()
+        .filter(|(_, triangle)| side * triangle.normal.dot(direction) > 0.0)
+        .filter_map(|(facet, triangle)| {
             let distance = triangle.distance(origin, direction)?;
-            Some(Meeting { distance, normal: triangle.normal })
+            Some(Meeting { distance, normal: triangle.normal, facet })
         })
         .min_by(|a, b| a.distance.total_cmp(&b.distance))
 }

@@ -9,6 +9,8 @@ use crate::interface::Interface;
 
 /// Part of the camera ray's weight below which a ray ends.
 const LEAST_SIGNIFICANCE: f64 = 1e-6;
+/// Part of the camera ray's weight from which an end counts among [`Seen::ends`].
+const LEAF_SIGNIFICANCE: f64 = 3e-5;
 /// Interfaces after which a ray that never weakens ends.
 const MAX_DEPTH: u32 = 2000;
 
@@ -27,11 +29,22 @@ struct Checker {
 }
 
 /// What one wavelength's tree comes to.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Seen {
     pub(crate) shares: Shares,
+    /// The rays that end at the lights and count, by their paths.
+    pub(crate) ends: Vec<Leaf>,
     /// Rays followed.
     pub(crate) segments: u64,
+}
+
+/// A ray that ends at the lights.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Leaf {
+    /// A word for the facets that its path has met, and for what it did there.
+    pub(crate) path: u64,
+    pub(crate) direction: DVec3,
+    pub(crate) significance: f64,
 }
 
 struct Ray {
@@ -41,6 +54,7 @@ struct Ray {
     /// The body that it runs in.
     medium: Option<usize>,
     depth: u32,
+    path: u64,
 }
 
 enum End {
@@ -74,8 +88,9 @@ impl World {
         let indices: Vec<f64> =
             self.bodies.iter().map(|body| body.dispersion.n(lambda_nm)).collect();
         let mut seen = Seen::default();
-        let mut waiting =
-            vec![Ray { origin, direction, significance: 1.0, medium: None, depth: 0 }];
+        let camera_ray =
+            Ray { origin, direction, significance: 1.0, medium: None, depth: 0, path: 0 };
+        let mut waiting = vec![camera_ray];
         while let Some(ray) = waiting.pop() {
             seen.segments += 1;
             match self.end_of(&ray) {
@@ -95,9 +110,14 @@ impl World {
                 }
                 End::Nothing => {
                     self.emitters.add_seen(ray.direction, ray.significance, &mut seen.shares);
+                    let Ray { path, direction, significance, .. } = ray;
+                    if significance >= LEAF_SIGNIFICANCE {
+                        seen.ends.push(Leaf { path, direction, significance });
+                    }
                 }
             }
         }
+        seen.ends.sort_unstable_by_key(|leaf| leaf.path);
         seen
     }
 
@@ -144,9 +164,17 @@ fn fork(ray: &Ray, body: usize, meeting: &Meeting, indices: &[f64]) -> [Ray; 2] 
         significance: ray.significance * weight,
         medium,
         depth: ray.depth + 1,
+        path: path_beyond(ray.path, body, meeting.facet, medium == ray.medium),
     };
     [
         part(at.reflected, at.reflectance, ray.medium),
         part(at.refracted, 1.0 - at.reflectance, medium_beyond),
     ]
+}
+
+/// The word for a path that has met one more facet.
+fn path_beyond(path: u64, body: usize, facet: usize, is_reflected: bool) -> u64 {
+    let step = ((body as u64) << 32 | facet as u64) << 1 | u64::from(is_reflected);
+    // A bijection, whose high bits depend on all of the step's (Knuth's multiplicative hashing).
+    (path.rotate_left(23) ^ step).wrapping_mul(0x9e37_79b9_7f4a_7c15)
 }

@@ -23,12 +23,15 @@ pub(crate) struct Emitters {
 
 struct Cone {
     center: DVec3,
+    /// In radians.
+    radius: f64,
     cos_radius: f64,
 }
 
 impl Cone {
     fn new(center: DVec3, radius_radians: f32) -> Self {
-        Self { center: center.normalize(), cos_radius: f64::from(radius_radians).cos() }
+        let radius = f64::from(radius_radians);
+        Self { center: center.normalize(), radius, cos_radius: radius.cos() }
     }
 
     fn holds(&self, direction: DVec3) -> bool {
@@ -79,6 +82,20 @@ impl Emitters {
         skies[1] += weight;
     }
 
+    /// The radiance of the discs that a ray may see while it turns from one direction to another,
+    /// give or take `margin_radians`, though it sees them at neither end.
+    pub(crate) fn hidden_between(&self, from: DVec3, to: DVec3, margin_radians: f64) -> f64 {
+        let way = to - from;
+        let hidden = self.discs.iter().zip(&self.radiances).map(|(disc, (_, radiance))| {
+            let part = (disc.center - from).dot(way) / way.length_squared().max(1e-30);
+            let nearest = from + way * part.clamp(0.0, 1.0);
+            let may_see = nearest.distance(disc.center) < disc.radius + margin_radians;
+            let is_hidden = may_see && !disc.holds(from) && !disc.holds(to);
+            if is_hidden { *radiance } else { 0.0 }
+        });
+        hidden.sum()
+    }
+
     /// Adds what a camera ray sees that meets nothing.
     pub(crate) fn add_background(&self, direction: DVec3, shares: &mut Shares) {
         if self.has_backdrop {
@@ -106,6 +123,11 @@ impl Emitters {
             means.into_iter().map(|mean| f64::from(mean) * radiance).collect()
         });
         rows.collect()
+    }
+
+    /// Radiance of each disc.
+    pub(crate) fn disc_levels(&self) -> impl Iterator<Item = f64> {
+        self.levels().take(self.discs.len())
     }
 
     /// Radiance of each emitter, whatever the wavelength: about what its share counts.

@@ -98,7 +98,7 @@ fn a_stone_in_a_furnace_is_not_seen() {
     for i in 0..400_u32 {
         let [x, y] = [i % 20, i / 20].map(|i| f64::from(i) * 0.3 - 2.9);
         let towards = Vec3::new(0.21, -0.13, -1.0).normalize_or_zero().as_dvec3();
-        let Seen { shares, segments } = world.look(DVec3::new(x, y, 10.0), towards, 550.0);
+        let Seen { shares, segments, .. } = world.look(DVec3::new(x, y, 10.0), towards, 550.0);
         // No disc, no hemisphere: the environment stands second. Each end is worth up to 1e-6.
         let seen = shares.0[1];
         assert!((seen - 1.0).abs() < 1e-6 * segments as f64, "{x}, {y}: {seen}");

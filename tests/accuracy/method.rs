@@ -18,8 +18,10 @@ pub(crate) struct Method {
     bounds: Option<[f64; 2]>,
 }
 
-pub(crate) const METHODS: [Method; 1] =
-    [Method { name: "Paper", splitting: Splitting::Paper, bounds: None }];
+pub(crate) const METHODS: [Method; 2] = [
+    Method { name: "Paper", splitting: Splitting::Paper, bounds: None },
+    Method { name: "Exact", splitting: Splitting::Exact, bounds: Some([0.2, 1.0]) },
+];
 
 impl Method {
     /// The settings that the program begins with, with this splitting.

@@ -6,8 +6,8 @@ use std::f32::consts::{FRAC_1_PI, TAU};
 use brilliance_renderer::kernel::mesh::Sides;
 use brilliance_renderer::kernel::walk::Fate;
 use brilliance_renderer::kernel::{
-    divide, facet, fan_lights, fan_matte, fan_walk, interface, intersect, mesh, ray, reach, rng,
-    spread, walk,
+    band, divide, facet, fan_lights, fan_matte, fan_walk, interface, intersect, mesh, ray, reach,
+    rng, spread, walk,
 };
 use brilliance_renderer::material::Outside;
 use brilliance_renderer::packed;
@@ -71,8 +71,11 @@ fn rust_constants() -> Vec<(&'static str, Constant)> {
         ("APPROACH_STEPS", U32(fan_lights::APPROACH_STEPS)),
         ("EDGE_BISECTIONS", U32(fan_lights::EDGE_BISECTIONS)),
         ("WEIGHT_TOLERANCE", F32(fan_matte::WEIGHT_TOLERANCE)),
+        ("GAUSS_POINT", F32(band::GAUSS_POINT)),
+        ("STRAIGHT", F32(band::STRAIGHT)),
         ("NARROW", F32(divide::NARROW)),
         ("DIRECTION_TOLERANCE", F32(divide::DIRECTION_TOLERANCE)),
+        ("DRAWING_CONTRAST", F32(divide::DRAWING_CONTRAST)),
     ]
 }
 

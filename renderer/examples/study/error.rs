@@ -1,10 +1,11 @@
 //! How far a picture is from another.
 
-use brilliance_renderer::color;
 use brilliance_renderer::develop::XyzImage;
 use brilliance_renderer::film::Film;
 use brilliance_renderer::settings::DisplaySettings;
-use glam::{DVec3, Vec3};
+use glam::Vec3;
+
+use crate::rmse::relative_rmse;
 
 /// Side of the blocks of pixels whose means are compared too: what an eye that stands back sees, or
 /// more passes of fewer pixels.
@@ -68,12 +69,4 @@ fn blocks(image: &XyzImage) -> XyzImage {
     };
     let xyz = (0..width * height).map(|i| block(i % width, i / width)).collect();
     XyzImage { size: [width as u32, height as u32], bins: image.bins, xyz }
-}
-
-fn relative_rmse(found: &[[f32; 3]], wanted: &[[f32; 3]]) -> f64 {
-    let rgb = |pixel: &[f32; 3]| DVec3::from_array(pixel.map(f64::from));
-    let pairs = || found.iter().zip(wanted);
-    let squares: f64 = pairs().map(|(a, b)| (rgb(a) - rgb(b)).length_squared()).sum();
-    let luminance: f64 = wanted.iter().map(|pixel| color::luminance(rgb(pixel))).sum();
-    (squares / (3 * wanted.len()) as f64).sqrt() / (luminance / wanted.len() as f64)
 }

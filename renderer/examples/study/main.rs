@@ -5,18 +5,22 @@
 #![expect(clippy::print_stdout, reason = "the tables are for the page")]
 
 mod error;
+#[path = "../shared/plot.rs"]
 mod plot;
+#[path = "../shared/rmse.rs"]
+mod rmse;
 mod scene;
+#[path = "../shared/strip.rs"]
 mod strip;
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use brilliance_renderer::film::Film;
+use brilliance_renderer::develop::XyzImage;
 use brilliance_renderer::settings::TraceSettings;
 
 use error::PictureError;
-use plot::Series;
+use plot::{Axes, Series};
 use scene::StudyScene;
 
 /// Split counts whose pictures are held against the converged one.
@@ -32,10 +36,20 @@ fn main() -> Result<(), Box<dyn Error>> {
     std::fs::create_dir_all(&folder)?;
     let scenes = scene::all()?;
     let splitting = sweep(&scenes, &folder, "split-count", &split_settings())?;
-    plot::write(&folder.join("split-count.svg"), "split count K", &splitting)?;
+    plot::write(&folder.join("split-count.svg"), &axes("split count K"), &splitting)?;
     let pruning = sweep(&scenes, &folder, "threshold", &threshold_settings())?;
-    plot::write(&folder.join("threshold.svg"), "significance threshold", &pruning)?;
+    plot::write(&folder.join("threshold.svg"), &axes("significance threshold"), &pruning)?;
     Ok(())
+}
+
+/// Mean colour differences over a setting, with the least that is about to be seen.
+fn axes(setting: &str) -> Axes<'_> {
+    Axes {
+        x: setting,
+        y: "mean ΔE₀₀ from the converged picture",
+        least_error: 1e-3,
+        mark: Some((1.0, "")),
+    }
 }
 
 fn default_folder() -> PathBuf {
@@ -94,7 +108,7 @@ fn sweep(
             "| {name} | rays per pixel | RMSE | mean ΔE₀₀ | 99 % ΔE₀₀ | blocks' ΔE₀₀ | light | pruned |"
         );
         println!("|---|---|---|---|---|---|---|---|");
-        let mut films: Vec<Film> = Vec::new();
+        let mut pictures = Vec::new();
         let mut points = Vec::new();
         for Candidate { value, settings } in &sweep.candidates {
             let still = scene.trace(settings)?;
@@ -111,16 +125,16 @@ fn sweep(
                 100.0 * still.statistics.ledger.pruned / still.statistics.ledger.entered,
             );
             points.push((f64::from(*value), error.mean_delta_e));
-            films.push(still.film);
+            pictures.push(XyzImage::from_film(&still.film));
         }
         println!(
             "| converged | {:.1} | | | | | | |",
             converged.statistics.mean_segments_per_camera_ray()
         );
-        films.push(converged.film);
+        pictures.push(XyzImage::from_film(&converged.film));
         let path = folder.join(format!("{name}-{}.png", scene.file_name));
-        strip::write(&path, &films, &scene.document.display)?;
-        series.push(Series { name: scene.name, points });
+        strip::write(&path, &pictures, &scene.document.display)?;
+        series.push(Series { name: scene.name.into(), points });
     }
     Ok(series)
 }

@@ -21,6 +21,15 @@ pub fn wavelength_at(scene: &PackedScene, axis_position: f32) -> f32 {
     table_at(scene, scene.axis, AXIS_LEN, axis_position)
 }
 
+/// How fast the wavelength changes at a position on the axis: nm from one number of the table to the
+/// next.
+#[inline]
+pub fn wavelength_slope_at(scene: &PackedScene, axis_position: f32) -> f32 {
+    let step = axis_position.clamp(0.0, 1.0) * (AXIS_LEN - 1) as f32;
+    let at = scene.axis as usize + (step as usize).min(AXIS_LEN - 2);
+    scene.spectra[at + 1] - scene.spectra[at]
+}
+
 /// The position of a wavelength on the axis.
 #[inline]
 pub fn axis_position_of(scene: &PackedScene, lambda_nm: f32) -> f32 {

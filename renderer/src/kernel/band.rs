@@ -1,9 +1,11 @@
 //! The light of a fan, bin by bin: what a part of its interval deposits, and what energy it carries.
 
 use crate::kernel::absorption::{BinRange, bin_overlap, bin_range};
-use crate::kernel::axis::{axis_moments, axis_position_of, wavelength_at};
+use crate::kernel::axis::{axis_moments, axis_position_of, wavelength_at, wavelength_slope_at};
 use crate::kernel::fan::{Fan, axis_position_in};
-use crate::kernel::parabola::{Parabola, parabola_at, parabola_through};
+use crate::kernel::parabola::{
+    Parabola, half_slope_at, parabola_at, parabola_through, position_where,
+};
 use crate::kernel::walk::Walk;
 use crate::packed::{NONE, PackedScene};
 use crate::spectrum::LAMBDA_MIN_NM;
@@ -13,13 +15,13 @@ use crate::spectrum::LAMBDA_MIN_NM;
 pub struct Band {
     /// The bins that it meets.
     pub range: BinRange,
-    /// Position on the axis of the fan's middle.
-    pub middle: f32,
-    /// One over half of the fan's width on the axis.
-    pub per_half_width: f32,
-    /// The fan's weight along its positions.
+    /// Its ends, as positions in the fan.
+    pub ends: [f32; 2],
+    /// The position on the dispersion axis along the positions in the fan.
+    pub axis: Parabola,
+    /// The weight along them.
     pub weight: Parabola,
-    /// The length of its path along them, in mm.
+    /// The length of the path along them, in mm.
     pub path_mm: Parabola,
 }
 
@@ -34,16 +36,21 @@ pub struct BinPart {
     pub position_squared: f32,
 }
 
+/// Half of the distance between the two points of Gauss's rule, over the width of the interval.
+pub const GAUSS_POINT: f32 = 0.288_675_14;
+
+/// Bend of the axis along a fan, over its slope, up to which positions go with it.
+pub const STRAIGHT: f32 = 1e-4;
+
 /// The part of the fan's interval between two positions in it.
 #[inline]
 pub fn band_of(scene: &PackedScene, fan: &Fan, low: f32, high: f32) -> Band {
     let low_nm = wavelength_at(scene, axis_position_in(fan, low));
     let high_nm = wavelength_at(scene, axis_position_in(fan, high));
-    let half_width = 0.5 * (fan.high - fan.low);
     Band {
         range: bin_range(scene, low_nm, high_nm),
-        middle: 0.5 * (fan.low + fan.high),
-        per_half_width: if half_width > 0.0 { 1.0 / half_width } else { 0.0 },
+        ends: [low, high],
+        axis: parabola_through(fan.axis),
         weight: parabola_through(fan.weight),
         path_mm: parabola_through(fan.path_mm),
     }
@@ -53,25 +60,39 @@ pub fn band_of(scene: &PackedScene, fan: &Fan, low: f32, high: f32) -> Band {
 #[inline]
 pub fn bin_part(scene: &PackedScene, band: &Band, bin: u32) -> BinPart {
     let overlap = bin_overlap(&band.range, bin);
-    let mut position;
-    let mut position_squared;
-    if overlap >= 1.0 {
+    if overlap >= 1.0 && band.axis.a.abs() <= STRAIGHT * band.axis.b {
         let [mean, mean_square] = axis_moments(scene, bin);
-        position = mean - band.middle;
-        position_squared = position * position + (mean_square - mean * mean).max(0.0);
-    } else {
-        // Simpson's rule over what is covered.
-        let low = band.range.low.max(bin as f32);
-        let high = band.range.high.min((bin + 1) as f32);
-        let first = axis_position_of_bins(scene, low) - band.middle;
-        let second = axis_position_of_bins(scene, 0.5 * (low + high)) - band.middle;
-        let third = axis_position_of_bins(scene, high) - band.middle;
-        position = (first + 4.0 * second + third) * (1.0 / 6.0);
-        position_squared = (first * first + 4.0 * second * second + third * third) * (1.0 / 6.0);
+        let per_position = 0.5 / band.axis.b;
+        let position = (mean - band.axis.c) * per_position;
+        let variance = (mean_square - mean * mean).max(0.0) * per_position * per_position;
+        return BinPart { overlap, position, position_squared: position * position + variance };
     }
-    position *= band.per_half_width;
-    position_squared *= band.per_half_width * band.per_half_width;
+    // Gauss's rule with two points over the positions that are covered, weighed by the wavelengths
+    // that fall to each.
+    let mut low = band.ends[0];
+    let mut high = band.ends[1];
+    if band.range.low < bin as f32 {
+        low = position_where(&band.axis, axis_position_of_bins(scene, bin as f32));
+    }
+    if band.range.high > (bin + 1) as f32 {
+        high = position_where(&band.axis, axis_position_of_bins(scene, (bin + 1) as f32));
+    }
+    let middle = 0.5 * (low + high);
+    let offset = GAUSS_POINT * (high - low);
+    let [first, second] = [middle - offset, middle + offset];
+    let first_nm = wavelengths_per_position(scene, band, first);
+    let second_nm = wavelengths_per_position(scene, band, second);
+    let share = second_nm / (first_nm + second_nm).max(1e-12);
+    let position = first + (second - first) * share;
+    let position_squared = first * first + (second * second - first * first) * share;
     BinPart { overlap, position, position_squared }
+}
+
+/// How fast the wavelength changes with the position in the fan, up to a factor.
+#[inline]
+pub fn wavelengths_per_position(scene: &PackedScene, band: &Band, position: f32) -> f32 {
+    let axis_slope = half_slope_at(&band.axis, position).max(0.0);
+    axis_slope * wavelength_slope_at(scene, parabola_at(&band.axis, position))
 }
 
 /// The position on the axis of a wavelength that is counted in bins.
@@ -141,16 +162,16 @@ pub fn fan_energy(scene: &PackedScene, fan: &Fan) -> f32 {
 #[inline]
 pub fn retire_fan<R: Copy>(walk: &mut Walk<'_, R>, fan: &Fan) -> f32 {
     let scene = walk.scene;
-    if fan.absorber == NONE {
-        return fan_energy(scene, fan);
-    }
     let band = band_of(scene, fan, -1.0, 1.0);
     let mut energy = 0.0;
     let mut absorbed = 0.0;
     for bin in band.range.first..=band.range.last {
         let part = bin_part(scene, &band, bin);
         let weight = bin_weight(&band, &part);
-        let kept = fan_transmittance(scene, fan, &band, &part, bin);
+        let mut kept = 1.0;
+        if fan.absorber != NONE {
+            kept = fan_transmittance(scene, fan, &band, &part, bin);
+        }
         energy += weight * kept;
         absorbed += weight * (1.0 - kept);
     }

@@ -4,7 +4,9 @@ use glam::Vec3A;
 
 use crate::kernel::axis::{axis_position_of, indices_at, wavelength_at};
 use crate::kernel::band::{fan_energy, retire_fan};
-use crate::kernel::fan::{Fan, axis_position_in, axis_positions, part_of_fan, segment_count};
+use crate::kernel::fan::{
+    Fan, axis_position_in, axis_width, fan_through, part_of_fan, position_of, segment_count,
+};
 use crate::kernel::fan_lights::end_at_lights;
 use crate::kernel::fan_walk::{fate_of_fan, is_worth_dividing, largest, least_of, send_fan};
 use crate::kernel::fork::{absorber_of, interface_at, medium_beyond};
@@ -25,6 +27,10 @@ pub const NARROW: f32 = 1e-4;
 /// By how much, in radians, directions between the nodes may be off before a refracted fan is divided.
 pub const DIRECTION_TOLERANCE: f32 = 2e-4;
 
+/// Difference of the squared cosines of refraction at the ends of a fan, over their sum, from which on
+/// its middle node is drawn to the critical wavelength.
+pub const DRAWING_CONTRAST: f32 = 0.4;
+
 /// What three nodes of a fan meet at an interface.
 #[derive(Clone, Copy, Debug)]
 pub struct Crossing {
@@ -42,29 +48,24 @@ pub struct Crossing {
 pub fn divide_fan(walk: &mut Walk<'_, Fan>, fan: &Fan, ray: &Ray, hit: &Hit) {
     let scene = walk.scene;
     let at = interface_at(scene, ray, hit);
-    let crossing = crossing_of(scene, &at, fan);
-    if largest(crossing.cos_t_squared) <= 0.0 {
-        reflect_fan(walk, fan, hit, &at, Vec3A::ONE);
-        return;
+    let at_nodes = crossing_of(scene, &at, fan).cos_t_squared;
+    let cos_t_squared = parabola_through(at_nodes);
+    let is_reflected = largest(at_nodes) <= 0.0;
+    let divides = !is_reflected && least_of(at_nodes) <= 0.0 && is_worth_dividing(walk.rules, fan);
+    let mut ends = [-1.0, 1.0, 1.0, 1.0];
+    if divides {
+        [ends[1], ends[2]] = crossings(&cos_t_squared);
     }
-    if least_of(crossing.cos_t_squared) > 0.0 || !is_worth_dividing(walk.rules, fan) {
-        refract_fan(walk, fan, ray, hit, &at, &crossing);
-        return;
-    }
-    let cos_t_squared = parabola_through(crossing.cos_t_squared);
-    let [first, second] = crossings(&cos_t_squared);
-    let ends = [-1.0, first, second, 1.0];
     for i in 0..3 {
-        let width = (ends[i + 1] - ends[i]) * 0.5 * (fan.high - fan.low);
-        if width <= 0.0 {
+        if ends[i + 1] <= ends[i] {
             continue;
         }
         let part = part_of_fan(fan, ends[i], ends[i + 1]);
-        if parabola_at(&cos_t_squared, 0.5 * (ends[i] + ends[i + 1])) <= 0.0 {
+        let middle = parabola_at(&cos_t_squared, 0.5 * (ends[i] + ends[i + 1]));
+        if is_reflected || (divides && middle <= 0.0) {
             reflect_fan(walk, &part, hit, &at, Vec3A::ONE);
         } else {
-            let crossing = crossing_of(scene, &at, &part);
-            refract_fan(walk, &part, ray, hit, &at, &crossing);
+            refract_fan(walk, &part, ray, hit, &at);
         }
     }
 }
@@ -72,9 +73,8 @@ pub fn divide_fan(walk: &mut Walk<'_, Fan>, fan: &Fan, ray: &Ray, hit: &Hit) {
 /// What the nodes of a fan meet at an interface.
 #[inline]
 pub fn crossing_of(scene: &PackedScene, at: &Interface, fan: &Fan) -> Crossing {
-    let positions = axis_positions(fan);
     let eta =
-        indices_at(scene, at.medium_from, positions) / indices_at(scene, at.medium_to, positions);
+        indices_at(scene, at.medium_from, fan.axis) / indices_at(scene, at.medium_to, fan.axis);
     let cos_i = -dot_each(&fan.direction, at.normal);
     let sin_i_squared = Vec3A::ONE - cos_i * cos_i;
     Crossing { eta, cos_i, cos_t_squared: Vec3A::ONE - eta * eta * sin_i_squared }
@@ -109,19 +109,13 @@ pub fn reflect_fan(walk: &mut Walk<'_, Fan>, fan: &Fan, hit: &Hit, at: &Interfac
 
 /// Sends on the refracted and the reflected part of a fan of which at least one node is refracted.
 ///
-/// The refracted part is divided where its directions bend too much for three nodes, as they do next
-/// to the critical angle. Then the reflected part's weight at its middle is what makes its energy the
-/// rest.
+/// The refracted part is divided where its directions bend too much for three nodes. Then the reflected
+/// part's weight at its middle is what makes its energy the rest.
 #[inline]
-pub fn refract_fan(
-    walk: &mut Walk<'_, Fan>,
-    fan: &Fan,
-    ray: &Ray,
-    hit: &Hit,
-    at: &Interface,
-    crossing: &Crossing,
-) {
+pub fn refract_fan(walk: &mut Walk<'_, Fan>, incident: &Fan, ray: &Ray, hit: &Hit, at: &Interface) {
     let scene = walk.scene;
+    let fan = &drawn_to_critical(scene, incident, at);
+    let crossing = &crossing_of(scene, at, fan);
     let reflectance = reflectances(crossing);
     let refracted = refracted_fan(scene, fan, ray, hit, at, crossing, reflectance);
     let divides_by_bins = pays_on_entering(scene, fan, refracted.medium);
@@ -143,7 +137,7 @@ pub fn refract_fan(
         let crossing = crossing_of(scene, at, &part);
         let reflectance = reflectances(&crossing);
         let refracted = refracted_fan(scene, &part, ray, hit, at, &crossing, reflectance);
-        let is_narrow = part.high - part.low <= NARROW;
+        let is_narrow = axis_width(&part) <= NARROW;
         if !is_narrow && is_bent(&refracted.direction) && is_worth_dividing(walk.rules, &refracted)
         {
             step = 0.5 * (high - low);
@@ -155,6 +149,24 @@ pub fn refract_fan(
         step *= 2.0;
     }
     reflect_fan(walk, &with_energy(scene, fan, reflectance, rest), hit, at, Vec3A::ONE);
+}
+
+/// The fan with its middle node so near to the critical wavelength that the cosine of refraction there
+/// is about the mean of those at the ends: it is the root of what is linear along the axis, and with it
+/// go reflectance and direction.
+#[inline]
+pub fn drawn_to_critical(scene: &PackedScene, fan: &Fan, at: &Interface) -> Fan {
+    let cos_t_squared = crossing_of(scene, at, fan).cos_t_squared;
+    let low = cos_t_squared.x.max(0.0);
+    let high = cos_t_squared.z.max(0.0);
+    let difference = high - low;
+    if difference.abs() <= DRAWING_CONTRAST * (high + low) {
+        return *fan;
+    }
+    let mean = 0.5 * (low.sqrt() + high.sqrt());
+    let share = (mean * mean - low) / difference;
+    let middle = position_of(fan, fan.axis.x + share * axis_width(fan));
+    fan_through(fan, Vec3A::new(-1.0, middle, 1.0))
 }
 
 /// The fan with its weights multiplied by `factor`, but for the middle one, which is such that the
@@ -240,7 +252,7 @@ pub fn end_of_bin(scene: &PackedScene, fan: &Fan, position: f32) -> f32 {
     let lambda_nm = wavelength_at(scene, axis_position_in(fan, position));
     let bin = ((lambda_nm - LAMBDA_MIN_NM) / width_nm + 1e-3).floor();
     let end = axis_position_of(scene, LAMBDA_MIN_NM + (bin + 1.0) * width_nm);
-    2.0 * (end - fan.low) / (fan.high - fan.low).max(1e-9) - 1.0
+    if end < fan.axis.z { position_of(fan, end) } else { 1.0 }
 }
 
 /// Whether directions bend too much between the nodes for a parabola to follow them: what three

@@ -2,13 +2,16 @@
 //!
 //! All that is said of Thomas's spread vector in [`spread`](crate::kernel::spread) stops at a fan
 //! without width and a straight line of directions. Here each of the three has its own start, its own
-//! direction and its own weight, and between them all is quadratic along the dispersion axis.
+//! direction and its own weight, and between them all is quadratic in the position in the fan. So is the
+//! place on the dispersion axis: where the light changes fast next to the critical wavelength, the
+//! middle node lies nearer to it.
 
 use glam::{Vec3, Vec3A};
 
 use crate::kernel::nodes::{
-    Nodes, basis_at, basis_between, blend, blend_nodes, equal_nodes, middle_node, normalize_each,
+    Nodes, basis_at, basis_of, blend, blend_nodes, equal_nodes, middle_node, normalize_each,
 };
+use crate::kernel::parabola::{parabola_through, position_where};
 use crate::kernel::ray::Ray;
 use crate::packed::NONE;
 
@@ -23,10 +26,8 @@ pub struct Fan {
     pub weight: Vec3A,
     /// Lengths run inside `absorber`, not yet applied to the weights.
     pub path_mm: Vec3A,
-    /// Position of the shortest wavelength on the dispersion axis.
-    pub low: f32,
-    /// Position of the longest wavelength.
-    pub high: f32,
+    /// Positions on the dispersion axis.
+    pub axis: Vec3A,
     /// The instance whose surface the rays have left, or [`NONE`].
     pub instance: u32,
     /// The facet of `instance` that the rays have left.
@@ -49,8 +50,7 @@ pub fn white_fan(origin: Vec3, direction: Vec3) -> Fan {
         direction: equal_nodes(direction),
         weight: Vec3A::ONE,
         path_mm: Vec3A::ZERO,
-        low: 0.0,
-        high: 1.0,
+        axis: Vec3A::new(0.0, 0.5, 1.0),
         instance: NONE,
         facet: NONE,
         medium: NONE,
@@ -60,16 +60,22 @@ pub fn white_fan(origin: Vec3, direction: Vec3) -> Fan {
     }
 }
 
-/// Positions of the three wavelengths on the axis.
+/// Part of the dispersion axis between the ends of the fan.
 #[inline]
-pub fn axis_positions(fan: &Fan) -> Vec3A {
-    Vec3A::new(fan.low, 0.5 * (fan.low + fan.high), fan.high)
+pub fn axis_width(fan: &Fan) -> f32 {
+    fan.axis.z - fan.axis.x
 }
 
 /// Position on the axis of a position in the fan.
 #[inline]
 pub fn axis_position_in(fan: &Fan, position: f32) -> f32 {
-    0.5 * ((fan.low + fan.high) + (fan.high - fan.low) * position)
+    basis_at(position).dot(fan.axis)
+}
+
+/// The position in the fan of a position on the axis.
+#[inline]
+pub fn position_of(fan: &Fan, axis_position: f32) -> f32 {
+    position_where(&parabola_through(fan.axis), axis_position)
 }
 
 /// Whether the rays of different wavelengths are different rays.
@@ -89,14 +95,22 @@ pub fn segment_count(fan: &Fan) -> u32 {
 /// The part of the fan between two positions in it.
 #[inline]
 pub fn part_of_fan(fan: &Fan, low: f32, high: f32) -> Fan {
-    let basis = basis_between(low, high);
+    if low == -1.0 && high == 1.0 {
+        return *fan;
+    }
+    fan_through(fan, Vec3A::new(low, 0.5 * (low + high), high))
+}
+
+/// The part of the fan between two positions in it, with its middle node at a third between them.
+#[inline]
+pub fn fan_through(fan: &Fan, positions: Vec3A) -> Fan {
+    let basis = basis_of(positions);
     let mut part = *fan;
     part.origin = blend_nodes(&fan.origin, basis);
     part.direction = normalize_each(&blend_nodes(&fan.direction, basis));
     part.weight = (basis * fan.weight).max(Vec3A::ZERO);
     part.path_mm = basis * fan.path_mm;
-    part.low = axis_position_in(fan, low);
-    part.high = axis_position_in(fan, high);
+    part.axis = basis * fan.axis;
     part
 }
 

@@ -2,7 +2,9 @@
 
 use crate::kernel::band::retire_fan;
 use crate::kernel::divide::{NARROW, divide_fan};
-use crate::kernel::fan::{Fan, part_of_fan, ray_in_fan, segment_count, white_fan};
+use crate::kernel::fan::{
+    Fan, axis_position_in, part_of_fan, ray_in_fan, segment_count, white_fan,
+};
 use crate::kernel::fan_lights::end_at_lights;
 use crate::kernel::fan_matte::shade_fan;
 use crate::kernel::fan_walk::send_fan;
@@ -52,22 +54,20 @@ pub fn follow_fan(walk: &mut Walk<'_, Fan>) {
 /// Sends what is outside of the reached part of the fan back to wait, and gives that part.
 #[inline]
 pub fn send_rest(walk: &mut Walk<'_, Fan>, fan: &Fan, reached: [f32; 2]) -> Fan {
-    let half_width = 0.5 * (fan.high - fan.low);
     let [mut low, mut high] = reached;
-    if (low + 1.0) * half_width <= NARROW {
+    if axis_position_in(fan, low) - fan.axis.x <= NARROW {
         low = -1.0;
     }
-    if (1.0 - high) * half_width <= NARROW {
+    if fan.axis.z - axis_position_in(fan, high) <= NARROW {
         high = 1.0;
     }
     if low == -1.0 && high == 1.0 {
         return *fan;
     }
-    if high < 1.0 {
-        send_fan(walk, &part_of_fan(fan, high, 1.0));
-    }
-    if low > -1.0 {
-        send_fan(walk, &part_of_fan(fan, -1.0, low));
+    for [from, to] in [[high, 1.0], [-1.0, low]] {
+        if from < to {
+            send_fan(walk, &part_of_fan(fan, from, to));
+        }
     }
     part_of_fan(fan, low, high)
 }

@@ -3,7 +3,7 @@
 use glam::{Vec3, Vec3A};
 
 use crate::kernel::band::retire_fan;
-use crate::kernel::fan::{Fan, white_fan};
+use crate::kernel::fan::{Fan, axis_width, white_fan};
 use crate::kernel::walk::{Fate, RayStack, TraceRules, Walk};
 use crate::packed::{NONE, PackedScene};
 
@@ -75,5 +75,5 @@ pub fn least_of(values: Vec3A) -> f32 {
 /// Whether the fan carries enough for its wavelengths to be told apart where they part.
 #[inline]
 pub fn is_worth_dividing(rules: &TraceRules, fan: &Fan) -> bool {
-    largest(fan.weight) * (fan.high - fan.low) >= rules.cut_threshold
+    largest(fan.weight) * axis_width(fan) >= rules.cut_threshold
 }

@@ -1,6 +1,6 @@
 //! Values at the three wavelengths that a fan of rays is traced at, and between them.
 //!
-//! A position in the fan runs from −1 at its shortest wavelength over 0 at the middle one to 1 at the
+//! A position in the fan runs from −1 at its shortest wavelength over 0 at the middle node to 1 at the
 //! longest. Between the nodes a value is the quadratic function through the three.
 
 use glam::{Mat3A, Vec3, Vec3A};
@@ -107,11 +107,9 @@ pub fn slope_basis_at(position: f32) -> Vec3A {
     Vec3A::new(position - 0.5, -2.0 * position, position + 0.5)
 }
 
-/// What makes the values at three positions, both ends of a part and its middle, of those at the
-/// nodes.
+/// What makes the values at three positions of those at the nodes.
 #[inline]
-pub fn basis_between(low: f32, high: f32) -> Mat3A {
-    let positions = Vec3A::new(low, 0.5 * (low + high), high);
+pub fn basis_of(positions: Vec3A) -> Mat3A {
     let half = positions * 0.5;
     Mat3A::from_cols(
         half * (positions - Vec3A::ONE),

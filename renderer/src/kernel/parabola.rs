@@ -29,6 +29,21 @@ pub fn parabola_at(parabola: &Parabola, position: f32) -> f32 {
     (parabola.a * position + 2.0 * parabola.b) * position + parabola.c
 }
 
+/// Half of its slope at `position`.
+#[inline]
+pub fn half_slope_at(parabola: &Parabola, position: f32) -> f32 {
+    parabola.a * position + parabola.b
+}
+
+/// Where a parabola that rises from −1 to 1 has the given value.
+#[inline]
+pub fn position_where(rising: &Parabola, value: f32) -> f32 {
+    let above = value - rising.c;
+    let root = (rising.b * rising.b + rising.a * above).max(0.0).sqrt();
+    let slope = rising.b + root;
+    if slope > 0.0 { (above / slope).clamp(-1.0, 1.0) } else { 0.0 }
+}
+
 /// Where between −1 and 1 the parabola crosses 0: the lower place and the higher. One that is not
 /// there is at an end.
 #[inline]

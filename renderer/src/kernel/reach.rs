@@ -35,8 +35,9 @@ pub fn reach(walk: &mut Walk<'_, Fan>, fan: &Fan, middle: &Ray, hit: &Hit) -> [f
         reached = clip_fan(scene, fan, middle, hit);
     }
     if !is_unobstructed(scene, middle) {
-        reached[0] = reach_towards(walk, fan, hit, reached[0]);
-        reached[1] = reach_towards(walk, fan, hit, reached[1]);
+        for end in &mut reached {
+            *end = reach_towards(walk, fan, hit, *end);
+        }
     }
     reached
 }
@@ -81,18 +82,19 @@ pub fn clip_fan(scene: &PackedScene, fan: &Fan, middle: &Ray, hit: &Hit) -> [f32
 /// middle one.
 #[inline]
 pub fn reach_towards(walk: &mut Walk<'_, Fan>, fan: &Fan, hit: &Hit, end: f32) -> f32 {
-    if meets_same(walk, fan, hit, end) {
-        return end;
-    }
     let mut same = 0.0;
     let mut other = end;
-    for _ in 0..REACH_BISECTIONS {
-        let between = 0.5 * (same + other);
-        if meets_same(walk, fan, hit, between) {
-            same = between;
+    let mut tried = end;
+    for _ in 0..=REACH_BISECTIONS {
+        if meets_same(walk, fan, hit, tried) {
+            same = tried;
         } else {
-            other = between;
+            other = tried;
         }
+        if same == end {
+            break;
+        }
+        tried = 0.5 * (same + other);
     }
     same
 }

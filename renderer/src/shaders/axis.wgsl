@@ -15,6 +15,14 @@ fn wavelength_at(axis_position: f32) -> f32 {
     return table_at(frame.axis, AXIS_LEN, axis_position);
 }
 
+// How fast the wavelength changes at a position on the axis: nm from one number of the table to the
+// next.
+fn wavelength_slope_at(axis_position: f32) -> f32 {
+    let step = clamp(axis_position, 0.0, 1.0) * f32(AXIS_LEN - 1u);
+    let at = frame.axis + min(u32(step), AXIS_LEN - 2u);
+    return spectra[at + 1u] - spectra[at];
+}
+
 // The position of a wavelength on the axis.
 fn axis_position_of(lambda_nm: f32) -> f32 {
     let place = (lambda_nm - LAMBDA_MIN_NM) * (1.0 / f32(INDEX_TABLE_LEN - 1u));

@@ -3,8 +3,8 @@
 // A part of a fan's interval, made ready to be spread over the bins.
 struct Band {
     range: BinRange,
-    middle: f32,
-    per_half_width: f32,
+    ends: vec2f,
+    axis: Parabola,
     weight: Parabola,
     path_mm: Parabola,
 }
@@ -20,15 +20,10 @@ struct BinPart {
 fn band_of(fan: Fan, low: f32, high: f32) -> Band {
     let low_nm = wavelength_at(axis_position_in(fan, low));
     let high_nm = wavelength_at(axis_position_in(fan, high));
-    let half_width = 0.5 * (fan.high - fan.low);
-    var per_half_width = 0.0;
-    if half_width > 0.0 {
-        per_half_width = 1.0 / half_width;
-    }
     return Band(
         bin_range(low_nm, high_nm),
-        0.5 * (fan.low + fan.high),
-        per_half_width,
+        vec2f(low, high),
+        parabola_through(fan.axis),
         parabola_through(fan.weight),
         parabola_through(fan.path_mm),
     );
@@ -37,26 +32,40 @@ fn band_of(fan: Fan, low: f32, high: f32) -> Band {
 // What a band has of one of its bins.
 fn bin_part(band: Band, bin: u32) -> BinPart {
     let overlap = bin_overlap(band.range, bin);
-    var position: f32;
-    var position_squared: f32;
-    if overlap >= 1.0 {
+    if overlap >= 1.0 && abs(band.axis.a) <= STRAIGHT * band.axis.b {
         let moments = axis_moments(bin);
-        position = moments.x - band.middle;
-        position_squared =
-            position * position + max(moments.y - moments.x * moments.x, 0.0);
-    } else {
-        // Simpson's rule over what is covered.
-        let low = max(band.range.low, f32(bin));
-        let high = min(band.range.high, f32(bin + 1u));
-        let first = axis_position_of_bins(low) - band.middle;
-        let second = axis_position_of_bins(0.5 * (low + high)) - band.middle;
-        let third = axis_position_of_bins(high) - band.middle;
-        position = (first + 4.0 * second + third) * (1.0 / 6.0);
-        position_squared = (first * first + 4.0 * second * second + third * third) * (1.0 / 6.0);
+        let per_position = 0.5 / band.axis.b;
+        let position = (moments.x - band.axis.c) * per_position;
+        let variance =
+            max(moments.y - moments.x * moments.x, 0.0) * per_position * per_position;
+        return BinPart(overlap, position, position * position + variance);
     }
-    position *= band.per_half_width;
-    position_squared *= band.per_half_width * band.per_half_width;
+    // Gauss's rule with two points over the positions that are covered, weighed by the wavelengths
+    // that fall to each.
+    var low = band.ends.x;
+    var high = band.ends.y;
+    if band.range.low < f32(bin) {
+        low = position_where(band.axis, axis_position_of_bins(f32(bin)));
+    }
+    if band.range.high > f32(bin + 1u) {
+        high = position_where(band.axis, axis_position_of_bins(f32(bin + 1u)));
+    }
+    let middle = 0.5 * (low + high);
+    let offset = GAUSS_POINT * (high - low);
+    let first = middle - offset;
+    let second = middle + offset;
+    let first_nm = wavelengths_per_position(band, first);
+    let second_nm = wavelengths_per_position(band, second);
+    let share = second_nm / max(first_nm + second_nm, 1e-12);
+    let position = first + (second - first) * share;
+    let position_squared = first * first + (second * second - first * first) * share;
     return BinPart(overlap, position, position_squared);
+}
+
+// How fast the wavelength changes with the position in the fan, up to a factor.
+fn wavelengths_per_position(band: Band, position: f32) -> f32 {
+    let axis_slope = max(half_slope_at(band.axis, position), 0.0);
+    return axis_slope * wavelength_slope_at(parabola_at(band.axis, position));
 }
 
 // The position on the axis of a wavelength that is counted in bins.
@@ -106,16 +115,16 @@ fn fan_energy(fan: Fan) -> f32 {
 
 // The energy that a fan still carries at its end, after its path's absorption is booked.
 fn retire_fan(fan: Fan) -> f32 {
-    if fan.absorber == NONE {
-        return fan_energy(fan);
-    }
     let band = band_of(fan, -1.0, 1.0);
     var energy = 0.0;
     var absorbed = 0.0;
     for (var bin = band.range.first; bin <= band.range.last; bin++) {
         let part = bin_part(band, bin);
         let weight = bin_weight(band, part);
-        let kept = fan_transmittance(fan, band, part, bin);
+        var kept = 1.0;
+        if fan.absorber != NONE {
+            kept = fan_transmittance(fan, band, part, bin);
+        }
         energy += weight * kept;
         absorbed += weight * (1.0 - kept);
     }

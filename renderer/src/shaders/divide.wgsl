@@ -11,36 +11,31 @@ struct Crossing {
 // one. Where a part is totally reflected, the fan is divided there.
 fn divide_fan(fan: Fan, ray: Ray, hit: Hit) {
     let at = interface_at(ray, hit);
-    let crossing = crossing_of(at, fan);
-    if largest(crossing.cos_t_squared) <= 0.0 {
-        reflect_fan(fan, hit, at, vec3f(1.0));
-        return;
+    let at_nodes = crossing_of(at, fan).cos_t_squared;
+    let cos_t_squared = parabola_through(at_nodes);
+    let is_reflected = largest(at_nodes) <= 0.0;
+    let divides = !is_reflected && least_of(at_nodes) <= 0.0 && is_worth_dividing(fan);
+    var ends = vec4f(-1.0, 1.0, 1.0, 1.0);
+    if divides {
+        ends = vec4f(-1.0, crossings(cos_t_squared), 1.0);
     }
-    if least_of(crossing.cos_t_squared) > 0.0 || !is_worth_dividing(fan) {
-        refract_fan(fan, ray, hit, at, crossing);
-        return;
-    }
-    let cos_t_squared = parabola_through(crossing.cos_t_squared);
-    let crossed = crossings(cos_t_squared);
-    let ends = vec4f(-1.0, crossed, 1.0);
     for (var i = 0u; i < 3u; i++) {
-        let width = (ends[i + 1u] - ends[i]) * 0.5 * (fan.high - fan.low);
-        if width <= 0.0 {
+        if ends[i + 1u] <= ends[i] {
             continue;
         }
         let part = part_of_fan(fan, ends[i], ends[i + 1u]);
-        if parabola_at(cos_t_squared, 0.5 * (ends[i] + ends[i + 1u])) <= 0.0 {
+        let middle = parabola_at(cos_t_squared, 0.5 * (ends[i] + ends[i + 1u]));
+        if is_reflected || (divides && middle <= 0.0) {
             reflect_fan(part, hit, at, vec3f(1.0));
         } else {
-            refract_fan(part, ray, hit, at, crossing_of(at, part));
+            refract_fan(part, ray, hit, at);
         }
     }
 }
 
 // What the nodes of a fan meet at an interface.
 fn crossing_of(at: Interface, fan: Fan) -> Crossing {
-    let positions = axis_positions(fan);
-    let eta = indices_at(at.medium_from, positions) / indices_at(at.medium_to, positions);
+    let eta = indices_at(at.medium_from, fan.axis) / indices_at(at.medium_to, fan.axis);
     let cos_i = -dot_each(fan.direction, at.normal);
     let sin_i_squared = 1.0 - cos_i * cos_i;
     return Crossing(eta, cos_i, 1.0 - eta * eta * sin_i_squared);
@@ -74,10 +69,11 @@ fn reflect_fan(fan: Fan, hit: Hit, at: Interface, factor: vec3f) {
 
 // Sends on the refracted and the reflected part of a fan of which at least one node is refracted.
 //
-// The refracted part is divided where its directions bend too much for three nodes, as they do next
-// to the critical angle. Then the reflected part's weight at its middle is what makes its energy the
-// rest.
-fn refract_fan(fan: Fan, ray: Ray, hit: Hit, at: Interface, crossing: Crossing) {
+// The refracted part is divided where its directions bend too much for three nodes. Then the reflected
+// part's weight at its middle is what makes its energy the rest.
+fn refract_fan(incident: Fan, ray: Ray, hit: Hit, at: Interface) {
+    let fan = drawn_to_critical(incident, at);
+    let crossing = crossing_of(at, fan);
     let reflectance = reflectances(crossing);
     let refracted = refracted_fan(fan, ray, hit, at, crossing, reflectance);
     let divides_by_bins = pays_on_entering(fan, refracted.medium);
@@ -99,7 +95,7 @@ fn refract_fan(fan: Fan, ray: Ray, hit: Hit, at: Interface, crossing: Crossing) 
         let crossing = crossing_of(at, part);
         let reflectance = reflectances(crossing);
         let refracted = refracted_fan(part, ray, hit, at, crossing, reflectance);
-        let is_narrow = part.high - part.low <= NARROW;
+        let is_narrow = axis_width(part) <= NARROW;
         if !is_narrow && is_bent(refracted.direction) && is_worth_dividing(refracted) {
             step = 0.5 * (high - low);
             continue;
@@ -110,6 +106,23 @@ fn refract_fan(fan: Fan, ray: Ray, hit: Hit, at: Interface, crossing: Crossing) 
         step *= 2.0;
     }
     reflect_fan(with_energy(fan, reflectance, rest), hit, at, vec3f(1.0));
+}
+
+// The fan with its middle node so near to the critical wavelength that the cosine of refraction there
+// is about the mean of those at the ends: it is the root of what is linear along the axis, and with it
+// go reflectance and direction.
+fn drawn_to_critical(fan: Fan, at: Interface) -> Fan {
+    let cos_t_squared = crossing_of(at, fan).cos_t_squared;
+    let low = max(cos_t_squared.x, 0.0);
+    let high = max(cos_t_squared.z, 0.0);
+    let difference = high - low;
+    if abs(difference) <= DRAWING_CONTRAST * (high + low) {
+        return fan;
+    }
+    let mean = 0.5 * (sqrt(low) + sqrt(high));
+    let share = (mean * mean - low) / difference;
+    let middle = position_of(fan, fan.axis.x + share * axis_width(fan));
+    return fan_through(fan, vec3f(-1.0, middle, 1.0));
 }
 
 // The fan with its weights multiplied by `factor`, but for the middle one, which is such that the
@@ -186,7 +199,10 @@ fn end_of_bin(fan: Fan, position: f32) -> f32 {
     let lambda_nm = wavelength_at(axis_position_in(fan, position));
     let bin = floor((lambda_nm - LAMBDA_MIN_NM) / frame.bin_width_nm + 1e-3);
     let end = axis_position_of(LAMBDA_MIN_NM + (bin + 1.0) * frame.bin_width_nm);
-    return 2.0 * (end - fan.low) / max(fan.high - fan.low, 1e-9) - 1.0;
+    if end < fan.axis.z {
+        return position_of(fan, end);
+    }
+    return 1.0;
 }
 
 // Whether directions bend too much between the nodes for a parabola to follow them: what three

@@ -2,22 +2,22 @@
 //
 // All that is said of Thomas's spread vector in `spread` stops at a fan without width and a straight
 // line of directions. Here each of the three has its own start, its own direction and its own weight,
-// and between them all is quadratic along the dispersion axis.
+// and between them all is quadratic in the position in the fan. So is the place on the dispersion axis:
+// where the light changes fast next to the critical wavelength, the middle node lies nearer to it.
 
 // Rays of an interval of wavelengths, at three of them.
 struct Fan {
     origin: Nodes,
     direction: Nodes,
     weight: vec3f,
-    low: f32,
+    depth: u32,
     path_mm: vec3f,
-    high: f32,
+    absorber: u32,
+    axis: vec3f,
     instance: u32,
     facet: u32,
     medium: u32,
     enclosing: u32,
-    depth: u32,
-    absorber: u32,
 }
 
 // The whole spectrum along one ray, with weight 1.
@@ -26,26 +26,30 @@ fn white_fan(origin: vec3f, direction: vec3f) -> Fan {
         equal_nodes(origin),
         equal_nodes(direction),
         vec3f(1.0),
-        0.0,
-        vec3f(0.0),
-        1.0,
-        NONE,
-        NONE,
-        NONE,
-        NONE,
         0u,
+        vec3f(0.0),
+        NONE,
+        vec3f(0.0, 0.5, 1.0),
+        NONE,
+        NONE,
+        NONE,
         NONE,
     );
 }
 
-// Positions of the three wavelengths on the axis.
-fn axis_positions(fan: Fan) -> vec3f {
-    return vec3f(fan.low, 0.5 * (fan.low + fan.high), fan.high);
+// Part of the dispersion axis between the ends of the fan.
+fn axis_width(fan: Fan) -> f32 {
+    return fan.axis.z - fan.axis.x;
 }
 
 // Position on the axis of a position in the fan.
 fn axis_position_in(fan: Fan, position: f32) -> f32 {
-    return 0.5 * ((fan.low + fan.high) + (fan.high - fan.low) * position);
+    return dot(basis_at(position), fan.axis);
+}
+
+// The position in the fan of a position on the axis.
+fn position_of(fan: Fan, axis_position: f32) -> f32 {
+    return position_where(parabola_through(fan.axis), axis_position);
 }
 
 // Whether the rays of different wavelengths are different rays.
@@ -62,14 +66,21 @@ fn segment_count(fan: Fan) -> u32 {
 
 // The part of the fan between two positions in it.
 fn part_of_fan(fan: Fan, low: f32, high: f32) -> Fan {
-    let basis = basis_between(low, high);
+    if low == -1.0 && high == 1.0 {
+        return fan;
+    }
+    return fan_through(fan, vec3f(low, 0.5 * (low + high), high));
+}
+
+// The part of the fan between two positions in it, with its middle node at a third between them.
+fn fan_through(fan: Fan, positions: vec3f) -> Fan {
+    let basis = basis_of(positions);
     var part = fan;
     part.origin = blend_nodes(fan.origin, basis);
     part.direction = normalize_each(blend_nodes(fan.direction, basis));
     part.weight = max(basis * fan.weight, vec3f(0.0));
     part.path_mm = basis * fan.path_mm;
-    part.low = axis_position_in(fan, low);
-    part.high = axis_position_in(fan, high);
+    part.axis = basis * fan.axis;
     return part;
 }
 

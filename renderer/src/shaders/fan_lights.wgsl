@@ -57,11 +57,11 @@ fn fan_light(fan: Fan) {
 fn deposit_beside(fan: Fan, part: vec2f, shadow: vec2f, radiance_row: u32) {
     let before = min(part.y, shadow.x);
     let behind = max(part.x, shadow.y);
-    if part.x < before {
-        deposit_band(fan, part.x, before, radiance_row);
-    }
-    if behind < part.y {
-        deposit_band(fan, behind, part.y, radiance_row);
+    let beside = vec4f(part.x, before, behind, part.y);
+    for (var i = 0u; i < 4u; i += 2u) {
+        if beside[i] < beside[i + 1u] {
+            deposit_band(fan, beside[i], beside[i + 1u], radiance_row);
+        }
     }
 }
 

@@ -31,7 +31,7 @@ fn shade_fan(fan: Fan, hit: Hit) {
 // Rays that a fan is divided into at a matte surface: one per bin where its wavelengths arrive apart,
 // else as many as its weight varies.
 fn matte_ray_count(fan: Fan) -> u32 {
-    let width_nm = wavelength_at(fan.high) - wavelength_at(fan.low);
+    let width_nm = wavelength_at(fan.axis.z) - wavelength_at(fan.axis.x);
     let bins = max(ceil(width_nm / frame.bin_width_nm), 1.0);
     if is_dispersed(fan) {
         return u32(bins);

@@ -26,23 +26,22 @@ fn follow_fan() {
 
 // Sends what is outside of the reached part of the fan back to wait, and gives that part.
 fn send_rest(fan: Fan, reached: vec2f) -> Fan {
-    let half_width = 0.5 * (fan.high - fan.low);
     var low = reached.x;
     var high = reached.y;
-    if (low + 1.0) * half_width <= NARROW {
+    if axis_position_in(fan, low) - fan.axis.x <= NARROW {
         low = -1.0;
     }
-    if (1.0 - high) * half_width <= NARROW {
+    if fan.axis.z - axis_position_in(fan, high) <= NARROW {
         high = 1.0;
     }
     if low == -1.0 && high == 1.0 {
         return fan;
     }
-    if high < 1.0 {
-        send_fan(part_of_fan(fan, high, 1.0));
-    }
-    if low > -1.0 {
-        send_fan(part_of_fan(fan, -1.0, low));
+    let rest = vec4f(high, 1.0, -1.0, low);
+    for (var i = 0u; i < 4u; i += 2u) {
+        if rest[i] < rest[i + 1u] {
+            send_fan(part_of_fan(fan, rest[i], rest[i + 1u]));
+        }
     }
     return part_of_fan(fan, low, high);
 }

@@ -66,5 +66,5 @@ fn least_of(values: vec3f) -> f32 {
 
 // Whether the fan carries enough for its wavelengths to be told apart where they part.
 fn is_worth_dividing(fan: Fan) -> bool {
-    return largest(fan.weight) * (fan.high - fan.low) >= frame.rules.cut_threshold;
+    return largest(fan.weight) * axis_width(fan) >= frame.rules.cut_threshold;
 }

@@ -18,8 +18,8 @@ pub use frame::Frame;
 use crate::kernel::mesh::Sides;
 use crate::kernel::walk::Fate;
 use crate::kernel::{
-    divide, facet, fan_lights, fan_matte, fan_walk, interface, intersect, mesh, ray, reach, rng,
-    spread, walk,
+    band, divide, facet, fan_lights, fan_matte, fan_walk, interface, intersect, mesh, ray, reach,
+    rng, spread, walk,
 };
 use crate::material::Outside;
 use crate::packed;
@@ -176,7 +176,10 @@ fn kernel_constants() -> String {
         ("APPROACH_STEPS", U32(fan_lights::APPROACH_STEPS)),
         ("EDGE_BISECTIONS", U32(fan_lights::EDGE_BISECTIONS)),
         ("WEIGHT_TOLERANCE", F32(fan_matte::WEIGHT_TOLERANCE)),
+        ("GAUSS_POINT", F32(band::GAUSS_POINT)),
+        ("STRAIGHT", F32(band::STRAIGHT)),
         ("NARROW", F32(divide::NARROW)),
         ("DIRECTION_TOLERANCE", F32(divide::DIRECTION_TOLERANCE)),
+        ("DRAWING_CONTRAST", F32(divide::DRAWING_CONTRAST)),
     ])
 }

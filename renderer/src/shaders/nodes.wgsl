@@ -1,6 +1,6 @@
 // Values at the three wavelengths that a fan of rays is traced at, and between them.
 //
-// A position in the fan runs from −1 at its shortest wavelength over 0 at the middle one to 1 at the
+// A position in the fan runs from −1 at its shortest wavelength over 0 at the middle node to 1 at the
 // longest. Between the nodes a value is the quadratic function through the three.
 
 // Vectors at the three nodes, component by component.
@@ -88,10 +88,8 @@ fn slope_basis_at(position: f32) -> vec3f {
     return vec3f(position - 0.5, -2.0 * position, position + 0.5);
 }
 
-// What makes the values at three positions, both ends of a part and its middle, of those at the
-// nodes.
-fn basis_between(low: f32, high: f32) -> mat3x3f {
-    let positions = vec3f(low, 0.5 * (low + high), high);
+// What makes the values at three positions of those at the nodes.
+fn basis_of(positions: vec3f) -> mat3x3f {
     let half = positions * 0.5;
     return mat3x3f(
         half * (positions - 1.0),

@@ -21,6 +21,19 @@ fn parabola_at(parabola: Parabola, position: f32) -> f32 {
     return (parabola.a * position + 2.0 * parabola.b) * position + parabola.c;
 }
 
+// Half of its slope at `position`.
+fn half_slope_at(parabola: Parabola, position: f32) -> f32 {
+    return parabola.a * position + parabola.b;
+}
+
+// Where a parabola that rises from −1 to 1 has the given value.
+fn position_where(rising: Parabola, value: f32) -> f32 {
+    let above = value - rising.c;
+    let root = sqrt(max(rising.b * rising.b + rising.a * above, 0.0));
+    let slope = rising.b + root;
+    return select(0.0, clamp(above / max(slope, 1e-30), -1.0, 1.0), slope > 0.0);
+}
+
 // Where between −1 and 1 the parabola crosses 0: the lower place and the higher. One that is not
 // there is at an end.
 fn crossings(parabola: Parabola) -> vec2f {

@@ -11,8 +11,9 @@ fn reach(fan: Fan, middle: Ray, hit: Hit) -> vec2f {
         reached = clip_fan(fan, middle, hit);
     }
     if !is_unobstructed(middle) {
-        reached.x = reach_towards(fan, hit, reached.x);
-        reached.y = reach_towards(fan, hit, reached.y);
+        for (var i = 0u; i < 2u; i++) {
+            reached[i] = reach_towards(fan, hit, reached[i]);
+        }
     }
     return reached;
 }
@@ -51,18 +52,19 @@ fn clip_fan(fan: Fan, middle: Ray, hit: Hit) -> vec2f {
 // The position nearest to `end`, coming from the middle, whose ray meets the same surface as the
 // middle one.
 fn reach_towards(fan: Fan, hit: Hit, end: f32) -> f32 {
-    if meets_same(fan, hit, end) {
-        return end;
-    }
     var same = 0.0;
     var other = end;
-    for (var i = 0u; i < REACH_BISECTIONS; i++) {
-        let between = 0.5 * (same + other);
-        if meets_same(fan, hit, between) {
-            same = between;
+    var tried = end;
+    for (var i = 0u; i <= REACH_BISECTIONS; i++) {
+        if meets_same(fan, hit, tried) {
+            same = tried;
         } else {
-            other = between;
+            other = tried;
         }
+        if same == end {
+            break;
+        }
+        tried = 0.5 * (same + other);
     }
     return same;
 }

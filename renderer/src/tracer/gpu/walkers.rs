@@ -6,7 +6,6 @@ use super::pipeline::{WORKGROUP_SIZE, WalkPipeline};
 use super::progress::Progress;
 use crate::error::RendererError;
 use crate::gpu::{Graphics, bind};
-use crate::kernel::fan::Fan;
 use crate::kernel::fan_walk::FAN_STACK_LEN;
 use crate::kernel::ray::Ray;
 use crate::kernel::walk::STACK_LEN;
@@ -15,8 +14,8 @@ use crate::shaders::Frame;
 
 /// A ray in an array of the shader, where vectors start at multiples of 16 bytes.
 pub(super) const RAY_BYTES: u64 = size_of::<Ray>().next_multiple_of(16) as u64;
-/// A fan in an array of the shader, where its vectors are no longer than in Rust.
-pub(super) const FAN_BYTES: u64 = size_of::<Fan>() as u64;
+/// A fan in an array of the shader, whose numbers fill up its vectors.
+pub(super) const FAN_BYTES: u64 = 160;
 /// Rays that wait for one walker, or fans: as many bytes of either.
 pub(super) const STACK_BYTES: u64 = STACK_LEN as u64 * RAY_BYTES;
 const _: () = assert!(FAN_STACK_LEN as u64 * FAN_BYTES <= STACK_BYTES);

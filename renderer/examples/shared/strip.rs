@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use brilliance_renderer::develop::XyzImage;
-use brilliance_renderer::film::Film;
 use brilliance_renderer::settings::DisplaySettings;
 use image::imageops::{FilterType, replace, resize};
 use image::{ImageResult, Rgba, RgbaImage};
@@ -12,17 +11,21 @@ use image::{ImageResult, Rgba, RgbaImage};
 const MAGNIFICATION: u32 = 3;
 const GAP: u32 = 6;
 
-/// Writes all films, from the left to the right.
-pub(crate) fn write(path: &Path, films: &[Film], display: &DisplaySettings) -> ImageResult<()> {
+/// Writes all pictures, from the left to the right.
+pub(crate) fn write(
+    path: &Path,
+    pictures: &[XyzImage],
+    display: &DisplaySettings,
+) -> ImageResult<()> {
     let mut strip = RgbaImage::new(0, 0);
-    for (film, number) in films.iter().zip(0_u32..) {
-        let [columns, rows] = film.size();
+    for (picture, number) in pictures.iter().zip(0_u32..) {
+        let [columns, rows] = picture.size;
         let [width, height] = [columns, rows].map(|side| side * MAGNIFICATION);
         if number == 0 {
-            let all = films.len() as u32 * (width + GAP) - GAP;
+            let all = pictures.len() as u32 * (width + GAP) - GAP;
             strip = RgbaImage::from_pixel(all, height, Rgba([255; 4]));
         }
-        let codes = XyzImage::from_film(film).develop_rgba8(display);
+        let codes = picture.develop_rgba8(display);
         let Some(picture) = RgbaImage::from_raw(columns, rows, codes) else { continue };
         let picture = resize(&picture, width, height, FilterType::Nearest);
         replace(&mut strip, &picture, i64::from(number * (width + GAP)), 0);
