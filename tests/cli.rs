@@ -104,6 +104,7 @@ fn help_and_version_are_told() {
         "--backend",
         "--size",
         "--passes",
+        "--noise",
         "--time",
         "--threads",
         "--bins",
@@ -124,7 +125,7 @@ fn help_and_version_are_told() {
 #[test]
 fn wrong_usage_ends_with_2_and_says_what_is_wrong() {
     let folder = tempfile::tempdir().unwrap();
-    let cases: [(&[&str], &[&str]); 21] = [
+    let cases: [(&[&str], &[&str]); 22] = [
         (&["--no-such-option"], &["--no-such-option"]),
         (&["a.toml", "b.toml"], &["b.toml"]),
         (&["render"], &["<SCENE>", "--output"]),
@@ -135,6 +136,7 @@ fn wrong_usage_ends_with_2_and_says_what_is_wrong() {
         (&["render", "a.toml", "-o", "a.png", "--size", "1x99999"], &["height", "16384"]),
         (&["render", "a.toml", "-o", "a.png", "--size", "16384x16384"], &["--size", "pixels"]),
         (&["render", "a.toml", "-o", "a.png", "--passes", "0"], &["--passes"]),
+        (&["render", "a.toml", "-o", "a.png", "--noise", "2"], &["--noise", "0.1"]),
         (&["render", "a.toml", "-o", "a.png", "--time", "nan"], &["--time", "seconds"]),
         (&["render", "a.toml", "-o", "a.png", "--bins", "3"], &["--bins", "4..=64"]),
         (&["render", "a.toml", "-o", "a.png", "--threads", "0"], &["--threads"]),
@@ -222,6 +224,26 @@ fn a_display_that_is_not_there_is_told_the_same_way() {
         .output()
         .unwrap();
     assert_failed(&output, &["window", "brilliance render SCENE -o OUT.png"]);
+}
+
+#[test]
+fn a_render_ends_when_its_noise_is_low_enough() {
+    let folder = folder_with_scene();
+    for (noise, limit, expected) in [("0.1", 1000, 8..1000), ("0", 40, 40..41)] {
+        let arguments = format!(
+            "render stone.toml --backend cpu --size 12x8 --passes {limit} --noise {noise} \
+             --set trace.max_depth=4 -o stone.png --stats stone.json"
+        );
+        let output = brilliance(folder.path(), &arguments.split_whitespace().collect::<Vec<_>>());
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        assert!(stdout(&output).contains("to a noise of"), "{}", stdout(&output));
+        let stats = statistics(folder.path());
+        let passes = stats["passes"].as_u64().unwrap();
+        assert!(expected.contains(&passes), "{passes} passes at {noise}");
+        let found = stats["noise"].as_f64().unwrap();
+        let target = stats["noise_target"].as_f64().unwrap();
+        assert!(target == 0.0 || found <= target, "{found} for {target}");
+    }
 }
 
 #[test]

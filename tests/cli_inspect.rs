@@ -85,12 +85,15 @@ fn the_json_is_the_tree_of_the_pixel_that_was_asked_for() {
         .sum();
     assert!((ended - 1.0).abs() < 1e-4, "{ended}");
 
-    let unsplit = json(
-        folder.path(),
-        "--pixel 30,20 --size 64x40 --pass 3 --set trace.split_count=0 --set trace.bins=8",
-    );
+    let number_of_rays = |tree: &Value| tree["rays"].as_array().unwrap().len();
+    let of_paper = |settings: &str| {
+        let pixel = "--pixel 30,20 --size 64x40 --pass 3 --set trace.splitting=paper";
+        json(folder.path(), &format!("{pixel} {settings}"))
+    };
+    let unsplit = of_paper("--set trace.split_count=0 --set trace.bins=8");
+    assert_eq!(unsplit["splitting"], "paper");
     assert_eq!(unsplit["radiance_per_bin"].as_array().unwrap().len(), 8);
-    assert!(unsplit["rays"].as_array().unwrap().len() < tree["rays"].as_array().unwrap().len());
+    assert!(number_of_rays(&unsplit) < number_of_rays(&of_paper("")));
 }
 
 #[test]

@@ -15,9 +15,15 @@ fn film_of(spectra: &[Spectrum], bins: Bins, passes: u32) -> Film {
     let means: Vec<f32> = spectra.iter().flat_map(|spectrum| spectrum.bin_means(bins)).collect();
     for _ in 0..passes {
         film.sums_mut().iter_mut().zip(&means).for_each(|(sum, mean)| *sum += mean);
-        film.complete_pass();
+        complete_pass(&mut film);
     }
     film
+}
+
+/// Counts a camera ray of each pixel.
+fn complete_pass(film: &mut Film) {
+    film.sums_and_counts_mut().1.iter_mut().for_each(|counts| counts.samples += 1.0);
+    film.complete_pass();
 }
 
 fn settings(white_point: WhitePoint, tone_curve: ToneCurve) -> DisplaySettings {
@@ -131,7 +137,7 @@ fn gamut_mapping_keeps_luminance_and_clipping_does_not() {
     let bins = Bins::new(64);
     let mut film = Film::new(1, 1, bins);
     film.sums_mut()[22] = 5.0;
-    film.complete_pass();
+    complete_pass(&mut film);
     let image = XyzImage::from_film(&film);
     let mut settings = settings(WhitePoint::EqualEnergy, ToneCurve::Linear);
     let luminance = |rgb: [f32; 3]| color::luminance(DVec3::from_array(rgb.map(f64::from)));
@@ -159,7 +165,7 @@ fn what_is_no_colour_is_black_and_does_not_spread() {
     film.sums_mut()[3] = f32::NAN;
     film.sums_mut()[bins.count() + 2] = f32::INFINITY;
     film.sums_mut()[2 * bins.count() + 7] = f32::NEG_INFINITY;
-    film.complete_pass();
+    complete_pass(&mut film);
     let image = XyzImage::from_film(&film);
     for settings in all_settings() {
         let rgb = image.develop(&settings).rgb;
@@ -241,8 +247,9 @@ fn a_heat_map_gets_lighter_with_the_number_and_ends_where_its_scale_ends() {
 #[test]
 fn a_heat_map_shows_the_mean_of_its_count_in_8_and_in_16_bits() {
     let mut film = Film::new(2, 1, Bins::new(4));
-    film.sums_and_counts_mut().1[1] = Counts { rays: 300.0, depth: 48.0, pruned: 0.03 };
-    (0..3).for_each(|_| film.complete_pass());
+    film.sums_and_counts_mut().1[1] =
+        Counts { rays: 300.0, depth: 48.0, pruned: 0.03, ..Counts::default() };
+    (0..3).for_each(|_| complete_pass(&mut film));
     let image = CountImage::from_film(&film);
     assert_eq!(image.size, [2, 1]);
     for (map, mean) in [(HeatMap::Rays, 100.0), (HeatMap::Depth, 16.0), (HeatMap::Pruned, 0.01)] {

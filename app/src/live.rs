@@ -72,6 +72,7 @@ impl Live {
             size,
             trace: document.trace.clone(),
             pass_limit: document.still.passes,
+            noise: document.still.noise,
             backend: self.backend,
         });
         self.session.display(document.display.clone());

@@ -3,6 +3,15 @@
 use brilliance_renderer::inspect::{
     InterfaceEvent, LightKind, Limit, RayCounts, RayEnd, RayKind, ReceivedLight, SeenLight,
 };
+use brilliance_renderer::settings::Splitting;
+
+/// How rays are divided, for the first line of a tree.
+pub(crate) fn splitting(splitting: Splitting) -> &'static str {
+    match splitting {
+        Splitting::Paper => "splitting of the paper",
+        Splitting::Exact => "exact splitting",
+    }
+}
 
 /// How a ray came to be, in a word or two.
 pub(crate) fn kind(kind: RayKind) -> &'static str {
@@ -58,7 +67,15 @@ pub(crate) fn interface(event: &InterfaceEvent) -> String {
 
 fn seen_light(seen: &SeenLight) -> String {
     let name = light_name(seen.light, &seen.name);
-    if seen.overlap >= 1.0 { name } else { format!("{name} ({})", percent(seen.overlap)) }
+    if seen.overlap >= 1.0 {
+        return name;
+    }
+    if seen.bands_nm.is_empty() {
+        return format!("{name} ({})", percent(seen.overlap));
+    }
+    let band = |[low, high]: &[f32; 2]| format!("{low:.1}\u{2013}{high:.1}");
+    let bands: Vec<_> = seen.bands_nm.iter().map(band).collect();
+    format!("{name} ({} nm)", bands.join(", "))
 }
 
 fn light_name(light: LightKind, name: &str) -> String {

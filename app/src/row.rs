@@ -86,7 +86,8 @@ impl<'a> SliderRow<'a> {
                 *value = self.default.clamp(*self.range.start(), *self.range.end());
             }
             let tooltip = format!("{}\nDouble click: back to {}.", self.tooltip, self.text());
-            slider.labelled_by(label.id).on_hover_text(tooltip);
+            let slider = slider.labelled_by(label.id);
+            slider.on_hover_text(tooltip).on_disabled_hover_text(self.tooltip);
             field.accessible_name(format!("{} value", self.label));
         });
         *value != before
@@ -230,7 +231,8 @@ pub fn switch(ui: &mut Ui, label: &str, tooltip: &str, value: &mut bool) -> bool
         if label_response.clicked() {
             *value = !*value;
         }
-        response.labelled_by(label_response.id).on_hover_text(tooltip);
+        let response = response.labelled_by(label_response.id);
+        response.on_hover_text(tooltip).on_disabled_hover_text(tooltip);
     });
     *value != before
 }
@@ -264,7 +266,8 @@ pub fn labelled<R>(
                 },
             )
             .inner
-            .on_hover_text(tooltip);
+            .on_hover_text(tooltip)
+            .on_disabled_hover_text(tooltip);
         control(ui, &label)
     })
     .inner

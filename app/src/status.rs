@@ -27,7 +27,7 @@ pub fn show(ui: &mut Ui, progress: &Progress, shown: Shown, tracers: &Tracers) {
 }
 
 fn progress_ui(ui: &mut Ui, progress: &Progress, shown: Shown) {
-    activity_ui(ui, progress.activity);
+    activity_ui(ui, progress);
     if shown != Shown::Color {
         value(ui, shown::name(shown), "shown", "View \u{203a} Show goes back to the picture.");
     }
@@ -41,6 +41,14 @@ fn progress_ui(ui: &mut Ui, progress: &Progress, shown: Shown) {
         "passes",
         "Rays per pixel traced so far, of those asked for: the picture gets smoother with each.",
     );
+    if let Some(noise) = progress.noise {
+        value(
+            ui,
+            &percent(noise.into()),
+            "noise",
+            "What 98 of 100 pixels may still be off, as part of their light and the picture's.",
+        );
+    }
     value(
         ui,
         &format!(
@@ -64,14 +72,19 @@ fn progress_ui(ui: &mut Ui, progress: &Progress, shown: Shown) {
     );
 }
 
-fn activity_ui(ui: &mut Ui, activity: Activity) {
-    let (text, color, tooltip) = match activity {
+fn activity_ui(ui: &mut Ui, progress: &Progress) {
+    let (text, color, tooltip) = match progress.activity {
         Activity::Idle => ("Idle", theme::TEXT_WEAK, "There is nothing to trace."),
         Activity::Preview => ("Preview", theme::WARNING, "A coarser picture while things change."),
         Activity::Accumulating => {
             ("Tracing", theme::ACCENT, "Passes at full resolution are being added.")
         }
-        Activity::Done => ("Finished", theme::TEXT, "All passes asked for are in the picture."),
+        Activity::Done if progress.has_reached_noise_target() => {
+            ("Finished: noise target", theme::TEXT, "The noise is no more than was asked for.")
+        }
+        Activity::Done => {
+            ("Finished: all passes", theme::TEXT, "All passes asked for are in the picture.")
+        }
         Activity::Failed => ("Failed", theme::ERROR, "The scene could not be traced."),
     };
     dot(ui, color);
@@ -84,6 +97,10 @@ fn dot(ui: &mut Ui, color: Color32) {
 }
 
 /// The energy ledger, each account in percent of what entered.
+/// What is pruned.
+const PRUNED: &str = "Energy of rays that ended for being weak. By exact splitting chance ends them, \
+                      and those that live carry as much more: in the mean nothing is lost.";
+
 fn ledger_ui(ui: &mut Ui, progress: &Progress) {
     let ledger = &progress.statistics.ledger;
     if ledger.entered <= 0.0 {
@@ -92,7 +109,7 @@ fn ledger_ui(ui: &mut Ui, progress: &Progress) {
     let mut accounts = vec![
         (ledger.returned, "returned", "Energy that reached a light, the sky or the ground."),
         (ledger.absorbed, "absorbed", "Energy that the colour of the stone swallowed."),
-        (ledger.pruned, "pruned", "Energy of rays that ended below the significance threshold."),
+        (ledger.pruned, "pruned", PRUNED),
         (ledger.cut_off, "cut off", "Energy of rays that ended at the maximum depth."),
     ];
     if ledger.lost > 0.0 {

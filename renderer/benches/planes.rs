@@ -22,9 +22,9 @@ const SCENE: &str = "Diamond";
 const RAYS: usize = 256;
 /// Facets that a path is mirrored by.
 const BOUNCES: usize = 64;
-/// Each measurement is repeated and the shortest one counts: others disturb it only one way.
-const REPEATS: u32 = 40;
-const TIME: Duration = Duration::from_millis(25);
+/// Each measurement is short, is repeated and the shortest one counts: others disturb it only one way.
+const REPEATS: u32 = 1000;
+const TIME: Duration = Duration::from_millis(1);
 
 fn main() -> Result<(), RendererError> {
     let scene = scene_file::scenes().iter().find(|scene| scene.name == SCENE);

@@ -15,7 +15,7 @@ use brilliance_renderer::material::{Dispersion, Material};
 use brilliance_renderer::scene::{Scene, Shape};
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::session::{Activity, Picture, RenderRequest, Session};
-use brilliance_renderer::settings::{DisplaySettings, TraceSettings};
+use brilliance_renderer::settings::{DisplaySettings, NoiseGoal, TraceSettings};
 use brilliance_renderer::tracer::{Backend, TracerName};
 use glam::Quat;
 
@@ -109,6 +109,7 @@ impl Hand {
             size,
             trace: document.trace.clone(),
             pass_limit: document.still.passes,
+            noise: NoiseGoal::NONE,
             backend: if graphics.is_some() { Backend::Gpu } else { Backend::Cpu },
         };
         let (trace, display) = (document.trace, document.display);

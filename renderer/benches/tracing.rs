@@ -11,6 +11,7 @@ use brilliance_renderer::error::RendererError;
 use brilliance_renderer::gpu::Graphics;
 use brilliance_renderer::scene_file::{self, Document, ShippedScene};
 use brilliance_renderer::session::RenderRequest;
+use brilliance_renderer::settings::NoiseGoal;
 use brilliance_renderer::still::{Still, StillLimits};
 use brilliance_renderer::tracer::{Backend, GpuTracer, TracerName, TracingDevice};
 
@@ -124,6 +125,7 @@ fn trace(
         size,
         trace: document.trace,
         pass_limit: u32::MAX,
+        noise: NoiseGoal::NONE,
         backend: if device.is_some() { Backend::Gpu } else { Backend::Cpu },
     };
     let render = |time| {

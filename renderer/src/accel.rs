@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use glam::Vec3;
 use obvhs::aabb::Aabb;
+use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::builder::build_bvh2;
 use obvhs::bvh2::node::Bvh2Node;
 use obvhs::{Boundable, BvhBuildParams};
@@ -68,7 +69,8 @@ impl Hierarchy {
         if bounds.is_empty() {
             return Self::default();
         }
-        let bvh = build_bvh2(bounds, BvhBuildParams::medium_build(), &mut Duration::default());
+        let mut bvh = build_bvh2(bounds, BvhBuildParams::medium_build(), &mut Duration::default());
+        let order = lay_out(&mut bvh);
         let node = |node: &Bvh2Node| BvhNode {
             min: node.aabb().min.into(),
             primitive_count: node.prim_count,
@@ -77,8 +79,22 @@ impl Hierarchy {
         };
         let nodes = bvh.nodes.iter().map(node).collect();
         let depth = bvh.depth(0);
-        Self { nodes, order: bvh.primitive_indices, depth }
+        Self { nodes, order, depth }
     }
+}
+
+/// Brings nodes and primitives into the order in which a ray comes to them, so that what is near in
+/// space is near in memory: with a million triangles a ray waits for memory most of the time. Returns
+/// the primitive per leaf slot.
+fn lay_out(bvh: &mut Bvh2) -> Vec<u32> {
+    bvh.reorder_in_stack_traversal_order();
+    let mut order = Vec::with_capacity(bvh.primitive_indices.len());
+    for leaf in bvh.nodes.iter_mut().filter(|node| node.is_leaf()) {
+        let slots = leaf.first_index as usize..(leaf.first_index + leaf.prim_count) as usize;
+        leaf.first_index = order.len() as u32;
+        order.extend_from_slice(&bvh.primitive_indices[slots]);
+    }
+    order
 }
 
 /// The hierarchy of a mesh: nodes, and the triangles in leaf order.

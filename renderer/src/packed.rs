@@ -328,6 +328,13 @@ impl PackedScene {
         Vec4::new(number(0), number(1), number(2), number(3))
     }
 
+    /// The means of row `row` over all bins.
+    #[inline]
+    pub fn spectrum_row(&self, row: u32) -> &[f32] {
+        let start = row as usize * self.bins.count();
+        &self.spectra[start..start + self.bins.count()]
+    }
+
     /// The mean of row `row` over `bin`.
     #[inline]
     pub fn spectrum_value(&self, row: u32, bin: u32) -> f32 {

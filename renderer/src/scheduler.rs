@@ -1,9 +1,14 @@
 //! What to trace next: a pure value machine without clocks or threads.
 
 mod round;
+#[cfg(test)]
+mod tests;
 
 pub use round::Machine;
 pub(crate) use round::round;
+
+use crate::film::next_measurement;
+use crate::settings::NoiseGoal;
 
 /// A round of tracing: passes between which nothing is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,6 +45,9 @@ pub struct Scheduler {
     full: Cost,
     pixels: u64,
     pass_limit: u32,
+    noise: NoiseGoal,
+    /// Whether the noise is no more than is wanted.
+    is_settled: bool,
     stage: Stage,
     /// Whether nothing was completed since the restart.
     is_first: bool,
@@ -110,6 +118,8 @@ impl Scheduler {
             full: Cost::guess(guess),
             pixels: 0,
             pass_limit: 0,
+            noise: NoiseGoal::NONE,
+            is_settled: false,
             stage: Stage::Accumulate { passes: 0 },
             is_first: false,
             patience_seconds: Self::PATIENCE_SECONDS,
@@ -120,6 +130,7 @@ impl Scheduler {
     pub fn restart(&mut self, size: [u32; 2], pass_limit: u32) {
         self.pixels = u64::from(size[0]) * u64::from(size[1]);
         self.limit_passes(pass_limit);
+        self.is_settled = false;
         self.is_first = true;
         let pixels = self.pixels as f64;
         self.stage = if self.full.seconds * pixels <= Self::PREVIEW_SECONDS {
@@ -135,10 +146,21 @@ impl Scheduler {
         self.pass_limit = if self.pixels == 0 { 0 } else { pass_limit };
     }
 
+    /// Changes which noise is good enough, and nothing else.
+    pub fn aim_at(&mut self, noise: NoiseGoal) {
+        self.noise = noise;
+        self.is_settled = false;
+    }
+
+    /// Takes note that the noise is no more than is wanted: the picture is done.
+    pub fn settle(&mut self) {
+        self.is_settled = true;
+    }
+
     /// The next round; `None` when the picture is done.
     pub fn next(&self) -> Option<Work> {
         match self.stage {
-            _ if self.pass_limit == 0 => None,
+            _ if self.pass_limit == 0 || self.is_settled => None,
             Stage::Draft { divisor } => {
                 Some(Work { divisor, effort: Effort::Draft, passes: 1, begins_film: true })
             }
@@ -154,7 +176,7 @@ impl Scheduler {
 
     fn round(&self, done: u32) -> u32 {
         let pass_seconds = self.full.seconds * self.pixels as f64;
-        round(self.machine, pass_seconds, done, self.pass_limit)
+        round(self.machine, pass_seconds, done, self.pass_limit, self.noise)
     }
 
     /// Seconds that the next round is given though something newer is asked for.
@@ -173,8 +195,10 @@ impl Scheduler {
             self.be_patient_for(2.0 * seconds);
         }
         self.is_first = false;
-        let seconds = seconds / self.traced_pixels(work);
-        self.cost_mut(work.effort).measure(seconds);
+        if !self.leaves_out_pixels() {
+            let seconds = seconds / self.traced_pixels(work);
+            self.cost_mut(work.effort).measure(seconds);
+        }
         self.stage = match self.stage {
             Stage::Draft { divisor: 1 } => Stage::Accumulate { passes: 0 },
             Stage::Draft { divisor } => Stage::Draft { divisor: divisor / 2 },
@@ -195,6 +219,13 @@ impl Scheduler {
         }
     }
 
+    /// Whether the next pass may leave out pixels, so that it tells nothing of others.
+    fn leaves_out_pixels(&self) -> bool {
+        let is_measured = |passes| passes >= next_measurement(0);
+        matches!(self.stage, Stage::Accumulate { passes } if is_measured(passes))
+            && self.noise.adapts()
+    }
+
     /// Pixels of all passes of `work`, at least 1.
     fn traced_pixels(&self, work: Work) -> f64 {
         let traced = self.pixels as f64 / f64::from(work.divisor).powi(2) * f64::from(work.passes);
@@ -206,195 +237,5 @@ impl Scheduler {
             Effort::Draft => &mut self.draft,
             Effort::Full => &mut self.full,
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const SIZE: [u32; 2] = [1280, 800];
-    const PIXELS: f64 = 1280.0 * 800.0;
-
-    /// Completes all work at these costs per pixel.
-    fn run(scheduler: &mut Scheduler, draft: f64, full: f64) -> Vec<Work> {
-        let mut done = Vec::new();
-        while let Some(work) = scheduler.next() {
-            done.push(work);
-            scheduler.complete(work, seconds(work, draft, full));
-        }
-        done
-    }
-
-    fn seconds(work: Work, draft: f64, full: f64) -> f64 {
-        let cost = if work.effort == Effort::Draft { draft } else { full };
-        cost * PIXELS * f64::from(work.passes) / f64::from(work.divisor.pow(2))
-    }
-
-    #[test]
-    fn drafts_get_finer_until_full_effort_accumulates() {
-        let mut scheduler = Scheduler::new(Machine::Processor);
-        scheduler.restart(SIZE, 3);
-        let works = run(&mut scheduler, 1e-6, 1e-5);
-        let (drafts, passes) = works.split_at(works.len() - 3);
-        let divisors: Vec<_> = drafts.iter().map(|work| work.divisor).collect();
-        assert_eq!(divisors, [7, 3, 1]);
-        assert!(drafts.iter().all(|work| work.effort == Effort::Draft && work.begins_film));
-        assert!(passes.iter().all(|work| work.effort == Effort::Full && work.divisor == 1));
-        let begins: Vec<_> = passes.iter().map(|work| work.begins_film).collect();
-        assert_eq!(begins, [true, false, false]);
-    }
-
-    #[test]
-    fn cheap_pictures_need_no_draft() {
-        let mut scheduler = Scheduler::new(Machine::Processor);
-        scheduler.restart([40, 40], 2);
-        assert_eq!(scheduler.next().map(|work| work.effort), Some(Effort::Full));
-    }
-
-    #[test]
-    fn the_first_pass_after_a_change_keeps_to_the_preview_budget() {
-        for draft in [1e-8, 1e-7, 1e-6, 4e-6] {
-            let mut scheduler = Scheduler::new(Machine::Processor);
-            scheduler.restart(SIZE, 20);
-            run(&mut scheduler, draft, 10.0 * draft);
-            scheduler.restart(SIZE, 20);
-            let work = scheduler.next().expect("there is work");
-            let seconds = seconds(work, draft, 10.0 * draft);
-            assert!(seconds <= Scheduler::PREVIEW_SECONDS * 1.05, "{seconds}");
-        }
-    }
-
-    #[test]
-    fn a_higher_limit_carries_on() {
-        let mut scheduler = Scheduler::new(Machine::Processor);
-        scheduler.restart(SIZE, 2);
-        run(&mut scheduler, 1e-6, 1e-5);
-        scheduler.limit_passes(4);
-        let more = run(&mut scheduler, 1e-6, 1e-5);
-        assert_eq!(more.len(), 2);
-        assert!(more.iter().all(|work| !work.begins_film));
-    }
-
-    /// A pass of a graphics card: 1280 × 800 in half a millisecond.
-    const FAST: f64 = 5e-4 / PIXELS;
-
-    #[test]
-    fn fast_passes_come_in_rounds_that_double_the_film_up_to_a_tenth_of_a_second() {
-        let mut scheduler = Scheduler::new(Machine::Processor);
-        scheduler.restart(SIZE, 1000);
-        run(&mut scheduler, FAST, FAST);
-        scheduler.restart(SIZE, 1000);
-        let works = run(&mut scheduler, FAST, FAST);
-        let passes: Vec<_> = works.iter().map(|work| work.passes).collect();
-        assert_eq!(&passes[..9], [1, 1, 2, 4, 8, 16, 32, 64, 128]);
-        assert!(passes[9..passes.len() - 1].iter().all(|passes| (190..=200).contains(passes)));
-        assert_eq!(passes.iter().sum::<u32>(), 1000, "no more than was asked for");
-        assert!(works.iter().all(|work| work.effort == Effort::Full), "{works:?}");
-    }
-
-    #[test]
-    fn passes_longer_than_the_publish_interval_come_one_by_one() {
-        for full in [0.034 / PIXELS, 1.0 / PIXELS] {
-            let mut scheduler = Scheduler::new(Machine::Processor);
-            scheduler.restart(SIZE, 12);
-            let works = run(&mut scheduler, full / 4.0, full);
-            assert!(works.iter().all(|work| work.passes == 1), "{works:?}");
-        }
-    }
-
-    #[test]
-    fn a_graphics_card_begins_at_full_resolution() {
-        for size in [SIZE, [3840, 2160]] {
-            let mut scheduler = Scheduler::new(Machine::GraphicsCard);
-            scheduler.restart(size, 1);
-            assert_eq!(scheduler.next().map(|work| work.divisor), Some(1));
-        }
-    }
-
-    #[test]
-    fn a_graphics_card_finds_out_that_rounds_hide_what_a_single_pass_waits_for() {
-        let mut scheduler = Scheduler::new(Machine::GraphicsCard);
-        scheduler.restart(SIZE, 500);
-        let mut rounds = Vec::new();
-        while let Some(work) = scheduler.next() {
-            rounds.push(work.passes);
-            // Each round waits for its heaviest pixel, whatever the number of passes.
-            scheduler.complete(work, 0.06 + 0.002 * f64::from(work.passes));
-        }
-        // A tenth of a second has room for 20 passes and the wait.
-        assert!(rounds[rounds.len() - 2] >= 15, "{rounds:?}");
-    }
-
-    #[test]
-    fn work_that_is_always_interrupted_gets_smaller_until_it_is_done() {
-        // The guess for a graphics card is far too low for these. Every restart halves the sides.
-        for full in [0.3 / PIXELS, 3.0 / PIXELS, 30.0 / PIXELS] {
-            let mut scheduler = Scheduler::new(Machine::GraphicsCard);
-            let restarts = (1..10).find(|_| {
-                scheduler.restart(SIZE, 20);
-                let work = scheduler.next().expect("there is work");
-                let is_done = seconds(work, full, full) <= Scheduler::PATIENCE_SECONDS;
-                if !is_done {
-                    scheduler.interrupt(work, Scheduler::PATIENCE_SECONDS);
-                }
-                is_done
-            });
-            assert!(restarts.is_some_and(|restarts| restarts <= 7), "{full}: {restarts:?}");
-        }
-    }
-
-    #[test]
-    fn drafts_that_take_long_however_coarse_are_given_longer() {
-        let mut scheduler = Scheduler::new(Machine::Processor);
-        let mut shown = Vec::new();
-        for _ in 0..8 {
-            scheduler.restart(SIZE, 20);
-            let work = scheduler.next().expect("there is work");
-            let patience = scheduler.patience_seconds();
-            shown.push(patience >= 0.3);
-            if patience >= 0.3 {
-                scheduler.complete(work, 0.3);
-                assert!(scheduler.patience_seconds() <= 0.0, "only the first round is given any");
-            } else {
-                scheduler.interrupt(work, patience);
-            }
-        }
-        assert_eq!(shown, [false, false, true, true, true, true, true, true]);
-        scheduler.restart(SIZE, 20);
-        let work = scheduler.next().expect("there is work");
-        scheduler.complete(work, 0.01);
-        scheduler.restart(SIZE, 20);
-        assert!(scheduler.patience_seconds() <= Scheduler::PATIENCE_SECONDS, "it is not for ever");
-    }
-
-    #[test]
-    fn what_is_interrupted_soon_teaches_nothing() {
-        let mut scheduler = Scheduler::new(Machine::Processor);
-        scheduler.restart(SIZE, 3);
-        run(&mut scheduler, 1e-6, 1e-5);
-        scheduler.restart(SIZE, 3);
-        let before = scheduler.clone();
-        let work = scheduler.next().expect("there is work");
-        scheduler.interrupt(work, 1e-3);
-        assert_eq!(scheduler, before);
-    }
-
-    #[test]
-    fn the_first_measurement_replaces_the_guess() {
-        let mut scheduler = Scheduler::new(Machine::Processor);
-        scheduler.restart(SIZE, 1);
-        run(&mut scheduler, FAST, FAST);
-        scheduler.restart(SIZE, 1);
-        assert_eq!(scheduler.next().map(|work| work.effort), Some(Effort::Full));
-    }
-
-    #[test]
-    fn an_empty_picture_or_no_passes_is_no_work() {
-        let mut scheduler = Scheduler::new(Machine::Processor);
-        scheduler.restart([0, 800], 10);
-        assert_eq!(scheduler.next(), None);
-        scheduler.restart([100, 100], 0);
-        assert_eq!(scheduler.next(), None);
     }
 }

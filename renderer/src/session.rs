@@ -74,7 +74,10 @@ impl Session {
     pub fn request(&mut self, request: RenderRequest) {
         let last = self.last_request.as_ref();
         let carries_on = last.is_some_and(|last| last.makes_same_film(&request));
-        if carries_on && last.is_some_and(|last| last.pass_limit == request.pass_limit) {
+        let wants_as_much = |last: &RenderRequest| {
+            last.pass_limit == request.pass_limit && last.noise == request.noise
+        };
+        if carries_on && last.is_some_and(wants_as_much) {
             return;
         }
         self.last_request = Some(request.clone());

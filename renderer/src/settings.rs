@@ -11,10 +11,10 @@ use serde::{Deserialize, Serialize};
 #[serde(rename_all = "kebab-case")]
 pub enum Splitting {
     /// Thomas 1986, to the letter: equal wavelength steps, prorated light overlap.
-    #[default]
     Paper,
     /// Three wavelengths per interval, each on its own way; the interval is divided where the ways part
     /// and lights are cut out of it.
+    #[default]
     Exact,
 }
 
@@ -23,10 +23,15 @@ pub enum Splitting {
 pub struct TraceSettings {
     /// How dispersed rays are divided.
     pub splitting: Splitting,
-    /// K: sub-rays that should hit the smallest light (Thomas 1986 found six).
+    /// K: sub-rays that should hit the smallest light (Thomas 1986 found six; [`Splitting::Paper`]).
     pub split_count: f32,
-    /// Rays whose weight falls below this are ended and their energy counted as pruned.
+    /// Rays whose weight falls below this are ended and their energy counted as pruned
+    /// ([`Splitting::Paper`]).
     pub significance_threshold: f32,
+    /// Fans that carry less than this part of the camera ray's energy live on by chance, and then carry
+    /// more, so that in the mean nothing is lost ([`Splitting::Exact`]). Fans that carry less than
+    /// [`CUT_SHARE`](Self::CUT_SHARE) times as much are not divided any more.
+    pub roulette_threshold: f32,
     /// Interfaces a ray may meet before it is cut off: a back-up to the significance. In a diamond
     /// tilted by 35°, 32 interfaces keep 98.8 % of the light that enters it, 256 nearly all.
     pub max_depth: u32,
@@ -41,6 +46,10 @@ impl TraceSettings {
     pub const SPLIT_COUNT: RangeInclusive<f32> = 0.0..=24.0;
     /// Allowed [`significance_threshold`](Self::significance_threshold).
     pub const SIGNIFICANCE_THRESHOLD: RangeInclusive<f32> = 1e-6..=0.5;
+    /// Allowed [`roulette_threshold`](Self::roulette_threshold).
+    pub const ROULETTE_THRESHOLD: RangeInclusive<f32> = 1e-6..=0.5;
+    /// Energy below which a fan is not divided, over that below which it lives by chance.
+    pub const CUT_SHARE: f32 = 3.0;
     /// Allowed [`max_depth`](Self::max_depth).
     pub const MAX_DEPTH: RangeInclusive<u32> = 1..=1024;
     /// Allowed [`bins`](Self::bins).
@@ -55,6 +64,7 @@ impl TraceSettings {
         Self {
             split_count: self.split_count.min(1.0),
             significance_threshold: self.significance_threshold.max(1e-2),
+            roulette_threshold: self.roulette_threshold.max(0.2),
             max_depth: self.max_depth.min(24),
             ..self.clone()
         }
@@ -64,13 +74,58 @@ impl TraceSettings {
 impl Default for TraceSettings {
     fn default() -> Self {
         Self {
-            splitting: Splitting::Paper,
+            splitting: Splitting::Exact,
             split_count: 6.0,
             significance_threshold: 1e-3,
+            roulette_threshold: 0.03,
             max_depth: 256,
             perturb: true,
             bins: 16,
         }
+    }
+}
+
+/// When a picture is good enough, and which pixels its later passes trace. Changing it restarts
+/// nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct NoiseGoal {
+    /// The picture is done when its [noise](crate::film::Film::measure_noise) is no more than
+    /// this; 0 for any noise until all passes are done.
+    pub target: f32,
+    /// Passes leave out the pixels that have no more noise than the target.
+    pub is_adaptive: bool,
+}
+
+impl NoiseGoal {
+    /// Allowed [`target`](Self::target).
+    pub const TARGET: RangeInclusive<f32> = 0.0..=0.1;
+    /// All passes for all pixels.
+    pub const NONE: Self = Self { target: 0.0, is_adaptive: false };
+
+    /// Whether there is a target.
+    pub fn is_set(self) -> bool {
+        self.target > 0.0
+    }
+
+    /// Whether a picture of this noise is done.
+    pub fn is_reached(self, noise: f32) -> bool {
+        self.is_set() && noise <= self.target
+    }
+
+    /// Whether passes may leave out pixels.
+    pub fn adapts(self) -> bool {
+        self.is_set() && self.is_adaptive
+    }
+
+    /// Whether passes leave out a pixel of this noise.
+    pub fn settles(self, noise: f32) -> bool {
+        self.adapts() && noise <= self.target
+    }
+}
+
+impl Default for NoiseGoal {
+    fn default() -> Self {
+        Self { target: 0.02, is_adaptive: true }
     }
 }
 

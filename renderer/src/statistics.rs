@@ -56,7 +56,7 @@ impl AddAssign for Ledger {
 /// Counts of one pass, or of several added up.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Statistics {
-    /// Camera rays, one per pixel and pass.
+    /// Camera rays, one per pass and pixel that the pass does not leave out.
     pub camera_rays: u64,
     /// Ray segments traced: camera rays, sub-rays, reflections and shadow rays.
     pub segments: u64,

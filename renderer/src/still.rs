@@ -1,4 +1,4 @@
-//! Pictures to keep: traced to a pass or time limit, with progress and cancel.
+//! Pictures to keep: traced to a pass or time limit or a noise target, with progress and cancel.
 
 use std::cell::OnceCell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use crate::develop::{CountImage, Shown, XyzImage};
 use crate::error::RendererError;
-use crate::film::Film;
+use crate::film::{Film, next_measurement};
 use crate::image_file;
 use crate::packed::PackedScene;
 use crate::scheduler::{self, Machine};
@@ -51,6 +51,8 @@ pub struct Still {
     pub statistics: Statistics,
     /// Passes traced.
     pub passes: u32,
+    /// The film's [noise](Film::measure_noise) when it was measured last; none after few passes.
+    pub noise: Option<f32>,
     /// Seconds of tracing alone.
     pub tracing_seconds: f64,
     /// What traced it.
@@ -172,35 +174,43 @@ impl Order<'_> {
         tracer: &T,
         progress: &mut dyn FnMut(u32, &Statistics),
     ) -> Result<Still, RendererError> {
-        let RenderRequest { size, trace, pass_limit, .. } = self.request;
+        let RenderRequest { size, trace, pass_limit, noise: goal, .. } = self.request;
         let bins = Bins::new(trace.bins);
         let scene = tracer.load(PackedScene::new(&self.request.scene, bins)?)?;
         let view = View::new(&self.request.camera, *size);
         let mut film = tracer.film(*size, bins, None)?;
         let mut statistics = Statistics::default();
         let mut passes = 0;
+        let mut noise = None;
+        let mut measured_at = next_measurement(0);
         let mut pass_seconds = f64::INFINITY;
         let machine = Machine::from(&tracer.name());
         let started = Instant::now();
         self.began.get_or_init(|| started);
-        while passes < *pass_limit && (passes == 0 || !self.is_over()) {
+        let is_good = |noise: Option<f32>| noise.is_some_and(|noise| goal.is_reached(noise));
+        while passes < *pass_limit && (passes == 0 || !self.is_over()) && !is_good(noise) {
             let round = self.round(machine, pass_seconds, passes);
             let is_cancelled = || self.cancel.load(Ordering::Relaxed);
             let round_started = Instant::now();
             statistics += tracer.trace(&scene, &view, trace, &mut film, round, &is_cancelled)?;
             pass_seconds = round_started.elapsed().as_secs_f64() / f64::from(round);
             passes += round;
+            if passes >= measured_at {
+                noise = Some(tracer.measure_noise(&mut film, *goal)?);
+                measured_at = next_measurement(passes);
+            }
             progress(passes, &statistics);
         }
         let tracing_seconds = started.elapsed().as_secs_f64();
         let film = tracer.read(film)?;
         let tracer = tracer.name();
-        Ok(Still { statistics, passes, tracing_seconds, tracer, warning: None, film })
+        Ok(Still { statistics, passes, noise, tracing_seconds, tracer, warning: None, film })
     }
 
     /// Number of passes to trace before the clock and the progress are looked at again.
     fn round(&self, machine: Machine, pass_seconds: f64, done: u32) -> u32 {
-        let round = scheduler::round(machine, pass_seconds, done, self.request.pass_limit);
+        let RenderRequest { pass_limit, noise, .. } = self.request;
+        let round = scheduler::round(machine, pass_seconds, done, *pass_limit, *noise);
         match self.time_left() {
             Some(left) => ((left.as_secs_f64() / pass_seconds) as u32).clamp(1, round),
             None => round,
@@ -223,6 +233,7 @@ mod tests {
 
     use super::*;
     use crate::scene_file::Document;
+    use crate::settings::NoiseGoal;
     use crate::tracer::Backend;
     use crate::tracer::fake::{Call, FakeDevice, REASON};
 
@@ -236,6 +247,7 @@ mod tests {
             size: [24, 16],
             trace: document.trace,
             pass_limit: PASSES,
+            noise: NoiseGoal::NONE,
             backend,
         };
         let limits = StillLimits::default();

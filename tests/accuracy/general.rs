@@ -68,10 +68,9 @@ fn a_concave_mesh_over_matte_ground_is_what_brute_force_finds() {
         let bins = Bins::new(TraceSettings::default().bins);
         let reference = Reference::new(&case, bins, 1.0);
         for method in &METHODS {
-            let settings = method.settings();
-            let comparison = method.compare(&case, &reference, &settings);
+            let settings = method.fine_settings();
+            let comparison = method.compare(&case, &reference, &settings, None);
             println!("{}", comparison.row);
-            assert_eq!(comparison.fault, None);
             if dispersion_bg == 0.0 {
                 let Difference { mean, high, .. } =
                     Difference::of(&trace(&case, &settings), &reference);

@@ -10,12 +10,14 @@ use crate::difference::Difference;
 use crate::reference::Reference;
 use crate::scenes::Case;
 
+const FINE_THRESHOLD: f32 = 1e-6;
+
 /// One way to divide the spectrum.
 pub(crate) struct Method {
     pub(crate) name: &'static str,
     pub(crate) splitting: Splitting,
-    /// Largest mean and 99th percentile of the colour differences, if it claims any.
-    bounds: Option<[f64; 2]>,
+    /// Largest mean and 99th percentile of the colour differences with fine settings, if it claims any.
+    pub(crate) bounds: Option<[f64; 2]>,
 }
 
 pub(crate) const METHODS: [Method; 2] = [
@@ -29,17 +31,35 @@ impl Method {
         TraceSettings { splitting: self.splitting, ..TraceSettings::default() }
     }
 
+    /// The same with a threshold below which nothing is seen to be left out.
+    pub(crate) fn fine_settings(&self) -> TraceSettings {
+        TraceSettings {
+            significance_threshold: FINE_THRESHOLD,
+            roulette_threshold: FINE_THRESHOLD,
+            ..self.settings()
+        }
+    }
+
+    /// Weight or energy below which the settings follow no ray for certain.
+    fn threshold(&self, settings: &TraceSettings) -> f32 {
+        match self.splitting {
+            Splitting::Paper => settings.significance_threshold,
+            Splitting::Exact => settings.roulette_threshold,
+        }
+    }
+
     /// Traces the case and holds it against the reference.
     pub(crate) fn compare(
         &self,
         case: &Case,
         reference: &Reference,
         settings: &TraceSettings,
+        bounds: Option<[f64; 2]>,
     ) -> Comparison {
         let film = trace(case, settings);
         let difference = Difference::of(&film, reference);
         let Difference { mean, high, worst, worst_pixel: [x, y] } = difference;
-        let (scene, name, threshold) = (&case.name, self.name, settings.significance_threshold);
+        let (scene, name, threshold) = (&case.name, self.name, self.threshold(settings));
         let rays = film.counts().iter().map(|counts| f64::from(counts.rays));
         let segments = reference.mean_over_bodies(rays);
         let row = format!(
@@ -47,8 +67,7 @@ impl Method {
              | {segments:.0} |"
         );
         let exceeds = |[mean_bound, high_bound]: [f64; 2]| mean > mean_bound || high > high_bound;
-        let fault = self
-            .bounds
+        let fault = bounds
             .is_some_and(exceeds)
             .then(|| format!("{row}\nworst is {}", difference.worst_spectra(&film, reference)));
         Comparison { row, fault }

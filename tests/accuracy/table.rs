@@ -14,8 +14,6 @@ use crate::scenes;
 /// The reference looks at least once in so many nanometres. Steps of 0.37 nm change the colours by
 /// less than 0.01 in the mean and by about 0.1 in one pixel of 100.
 const STEP_NM: f64 = 1.0;
-/// A threshold below which nothing is seen to be pruned, beside the default's.
-const FINE_THRESHOLD: f32 = 1e-5;
 
 #[test]
 fn each_splitting_against_every_wavelength_alone() {
@@ -25,10 +23,9 @@ fn each_splitting_against_every_wavelength_alone() {
     for case in scenes::all() {
         let reference = Reference::new(&case, bins, STEP_NM);
         for method in &METHODS {
-            let settings = method.settings();
-            let fine = TraceSettings { significance_threshold: FINE_THRESHOLD, ..settings.clone() };
-            for settings in [settings, fine] {
-                let comparison = method.compare(&case, &reference, &settings);
+            let (rough, fine) = (method.settings(), method.fine_settings());
+            for (settings, bounds) in [(rough, None), (fine, method.bounds)] {
+                let comparison = method.compare(&case, &reference, &settings, bounds);
                 println!("{}", comparison.row);
                 faults.extend(comparison.fault);
             }
@@ -44,8 +41,7 @@ fn without_dispersion_nothing_is_split_and_all_methods_agree() {
     for case in scenes::all() {
         let case = case.undispersed();
         for method in &METHODS {
-            let settings =
-                TraceSettings { significance_threshold: FINE_THRESHOLD, ..method.settings() };
+            let settings = method.fine_settings();
             let bins = Bins::new(settings.bins);
             // All wavelengths are alike.
             let reference = Reference::new(&case, bins, f64::from(bins.width_nm()));

@@ -66,8 +66,14 @@ pub(crate) fn film_of(
     let mut film = Film::new(width, height, bins);
     let means = spectra.iter().flatten();
     film.sums_mut().iter_mut().zip(means).for_each(|(sum, mean)| *sum = passes as f32 * mean);
-    (0..passes).for_each(|_| film.complete_pass());
+    (0..passes).for_each(|_| complete_pass(&mut film));
     film
+}
+
+/// Counts a camera ray of each pixel.
+pub(crate) fn complete_pass(film: &mut Film) {
+    film.sums_and_counts_mut().1.iter_mut().for_each(|counts| counts.samples += 1.0);
+    film.complete_pass();
 }
 
 /// A film of all kinds of pixels.
@@ -82,21 +88,22 @@ pub(crate) fn film_of_all_sorts(bins: u32, passes: u32, random: usize) -> Film {
 pub(crate) fn film_of_counts(passes: u32) -> Film {
     let levels = || (-60..=60).map(|level| 10_f32.powf(0.125 * level as f32));
     let mut means = vec![Counts::default()];
-    means.extend(levels().map(|mean| Counts { rays: mean, depth: 0.0, pruned: 0.0 }));
-    means.extend(levels().map(|mean| Counts { rays: 0.0, depth: mean, pruned: 0.0 }));
-    means.extend(levels().map(|mean| Counts { rays: 0.0, depth: 0.0, pruned: mean }));
+    means.extend(levels().map(|mean| Counts { rays: mean, ..Counts::default() }));
+    means.extend(levels().map(|mean| Counts { depth: mean, ..Counts::default() }));
+    means.extend(levels().map(|mean| Counts { pruned: mean, ..Counts::default() }));
     let mut uniform = uniform_numbers();
     means.extend((0..3000).map(|_| Counts {
         rays: 10_f32.powf(4.2 * uniform()),
         depth: 256.0 * uniform(),
         pruned: 10_f32.powf(-6.0 * uniform()),
+        ..Counts::default()
     }));
     let height = (means.len() as u32).div_ceil(WIDTH);
     let mut film = Film::new(WIDTH, height, Bins::new(4));
     for (sums, mean) in film.sums_and_counts_mut().1.iter_mut().zip(means) {
         (0..passes).for_each(|_| *sums += mean);
     }
-    (0..passes).for_each(|_| film.complete_pass());
+    (0..passes).for_each(|_| complete_pass(&mut film));
     film
 }
 

@@ -15,7 +15,7 @@ use brilliance_renderer::film::{Film, PixelRect};
 use brilliance_renderer::gpu::Graphics;
 use brilliance_renderer::settings::{DisplaySettings, ToneCurve, WhitePoint};
 use brilliance_renderer::spectrum::Bins;
-use films::{bands, film_of, film_of_all_sorts, uniform_numbers};
+use films::{bands, complete_pass, film_of, film_of_all_sorts, uniform_numbers};
 use views::load;
 use wgpu::{TextureFormat, TextureUsages};
 
@@ -29,7 +29,7 @@ fn expose(film: &Film, bands: &[Band]) -> GpuXyzImage {
 }
 
 fn expose_both(film: &Film, bands: &[Band]) -> (GpuXyzImage, GpuCountImage) {
-    DEVELOPER.expose(film.size(), film.bins(), film.passes(), bands).expect("an exposed film")
+    DEVELOPER.expose(film.size(), film.bins(), bands).expect("an exposed film")
 }
 
 fn all_settings(exposures: &[f32]) -> Vec<DisplaySettings> {
@@ -127,7 +127,7 @@ fn what_is_no_colour_is_black_and_does_not_spread() {
     film.sums_mut()[bins.count() + 2] = f32::INFINITY;
     film.sums_mut()[2 * bins.count() + 7] = f32::NEG_INFINITY;
     film.sums_mut()[3 * bins.count()] = -f32::NAN;
-    film.complete_pass();
+    complete_pass(&mut film);
     let image = expose(&film, &bands(&film, &[]));
     assert_eq!(image.read().unwrap().xyz[..4], [[0.0; 3]; 4]);
     for settings in all_settings(&[0.0]) {
@@ -162,7 +162,7 @@ fn the_mean_spectrum_of_a_region_is_the_processors() {
             PixelRect { min: [width, height], size: [8, 8] },
         ] {
             let found = DEVELOPER
-                .mean_spectrum(film.size(), film.bins(), passes, &bands, rect)
+                .mean_spectrum(film.size(), film.bins(), &bands, rect)
                 .expect("a spectrum");
             let expected = film.mean_spectrum(rect);
             // The radiances lie up to 36 orders of magnitude apart, and some are negative.
@@ -252,7 +252,7 @@ fn the_picture_can_be_viewed_encoded_and_linear() {
 fn a_size_that_no_texture_can_have_is_an_error_of_the_device() {
     let largest = GRAPHICS.device().limits().max_texture_dimension_2d;
     for size in [[largest + 1, 1], [1, largest + 1], [0, 5], [5, 0]] {
-        let result = DEVELOPER.expose(size, Bins::new(4), 1, &[]);
+        let result = DEVELOPER.expose(size, Bins::new(4), &[]);
         let Err(RendererError::Graphics(text)) = result else { panic!("{size:?} was taken") };
         let named = format!("{} × {}", size[0], size[1]);
         assert!(text.contains(&named) && text.contains(&largest.to_string()), "{text}");
@@ -265,12 +265,12 @@ fn a_lost_device_is_an_error_and_no_panic() {
     let developer = GpuDeveloper::new(&graphics).unwrap();
     let size = [16, 9];
     let bins = Bins::new(4);
-    let (image, counts) = developer.expose(size, bins, 1, &[]).unwrap();
+    let (image, counts) = developer.expose(size, bins, &[]).unwrap();
     // A device that is destroyed is lost as soon as it has no more work.
     image.read().unwrap();
     graphics.device().destroy();
     let errors = [
-        developer.expose(size, bins, 1, &[]).err(),
+        developer.expose(size, bins, &[]).err(),
         image.develop(&DisplaySettings::default()).err(),
         image.read().err(),
         counts.develop(HeatMap::Rays).err(),

@@ -1,5 +1,6 @@
 //! The GPU in step with the CPU, on any device there is, software included.
 
+mod adaptive;
 mod cases;
 mod device;
 mod films;

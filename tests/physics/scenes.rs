@@ -13,7 +13,7 @@ use brilliance_renderer::material::{Dielectric, Dispersion, Material};
 use brilliance_renderer::packed::PackedScene;
 use brilliance_renderer::scene::{Object, Scene, Shape, Transform};
 use brilliance_renderer::session::RenderRequest;
-use brilliance_renderer::settings::TraceSettings;
+use brilliance_renderer::settings::{NoiseGoal, TraceSettings};
 use brilliance_renderer::solid::HalfSpace;
 use brilliance_renderer::spectrum::{Bins, Spectrum};
 use brilliance_renderer::still::{Still, StillLimits};
@@ -112,6 +112,7 @@ pub(crate) fn request(
         size,
         trace,
         pass_limit: 1,
+        noise: NoiseGoal::NONE,
         backend: Backend::Cpu,
     }
 }
@@ -136,7 +137,7 @@ pub(crate) fn rules(settings: &TraceSettings) -> TraceRules {
         significance_threshold: settings.significance_threshold,
         max_depth: settings.max_depth,
         perturb: u32::from(settings.perturb),
-        cut_threshold: 0.2 * settings.significance_threshold,
+        cut_threshold: 0.1 * settings.significance_threshold,
     }
 }
 

@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::session::{Activity, Picture, Progress, RenderRequest, Session};
+use brilliance_renderer::settings::NoiseGoal;
 use brilliance_renderer::tracer::Backend;
 
 /// Far beyond what any of this takes; only a hang reaches it.
@@ -62,6 +63,7 @@ pub(crate) fn request(size: [u32; 2], passes: u32) -> RenderRequest {
         size,
         trace: document.trace,
         pass_limit: passes,
+        noise: NoiseGoal::NONE,
         backend: Backend::Cpu,
     }
 }

@@ -40,7 +40,6 @@ fn rust_constants() -> Vec<(&'static str, Constant)> {
         ("FAR", F32(ray::FAR)),
         ("GROUND", U32(ray::GROUND)),
         ("TOUCHING_MM", F32(ray::TOUCHING_MM)),
-        ("PIXEL_STEPS", Vec2U(rng::PIXEL_STEPS)),
         ("LIGHT_STEPS", Vec2U(rng::LIGHT_STEPS)),
         ("WAVELENGTH_STEP", U32(rng::WAVELENGTH_STEP)),
         ("MIDDLE", U32(rng::MIDDLE)),
@@ -68,6 +67,8 @@ fn rust_constants() -> Vec<(&'static str, Constant)> {
         ("REACH_BISECTIONS", U32(reach::REACH_BISECTIONS)),
         ("GRAZING", F32(reach::GRAZING)),
         ("DRIFT_MM", F32(reach::DRIFT_MM)),
+        ("LEEWAY", F32(fan_lights::LEEWAY)),
+        ("FAR_OFF_MARGIN", F32(fan_lights::FAR_OFF_MARGIN)),
         ("APPROACH_STEPS", U32(fan_lights::APPROACH_STEPS)),
         ("EDGE_BISECTIONS", U32(fan_lights::EDGE_BISECTIONS)),
         ("WEIGHT_TOLERANCE", F32(fan_matte::WEIGHT_TOLERANCE)),
@@ -76,6 +77,7 @@ fn rust_constants() -> Vec<(&'static str, Constant)> {
         ("NARROW", F32(divide::NARROW)),
         ("DIRECTION_TOLERANCE", F32(divide::DIRECTION_TOLERANCE)),
         ("DRAWING_CONTRAST", F32(divide::DRAWING_CONTRAST)),
+        ("LEAF_SHARE", F32(divide::LEAF_SHARE)),
     ]
 }
 

@@ -56,7 +56,7 @@ fn export_renders_what_the_window_says() {
 #[test]
 fn an_exported_still_is_a_readable_png_of_the_asked_size() {
     let folder = tempfile::tempdir().unwrap();
-    let still = StillSettings { size: [48, 32], passes: 2 };
+    let still = StillSettings { size: [48, 32], passes: 2, ..StillSettings::default() };
     let document = Document { still, ..Document::default() };
     let file = folder.path().join("stone.toml");
     let mut harness = harness_with(document, Some(&file), Services::default());

@@ -10,4 +10,5 @@ mod inspector_spectrum;
 mod panel;
 mod picture;
 mod shown;
+mod status;
 mod window;

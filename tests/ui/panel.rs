@@ -9,7 +9,9 @@ use brilliance_renderer::material::{Dispersion, Material, find};
 use brilliance_renderer::rigs::rigs;
 use brilliance_renderer::scene_file::{Document, scenes};
 use brilliance_renderer::session::RenderRequest;
-use brilliance_renderer::settings::{DisplaySettings, ToneCurve, WhitePoint};
+use brilliance_renderer::settings::{
+    DisplaySettings, Splitting, ToneCurve, TraceSettings, WhitePoint,
+};
 use eframe::egui::{Event, Key, Modifiers, accesskit::Role, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _, by};
 
@@ -21,7 +23,8 @@ type Value = fn(&RenderRequest) -> f64;
 #[test]
 fn every_tracing_slider_changes_the_request() {
     let mut harness = harness();
-    let cases: [(&str, f64, f64, Value); 14] = [
+    choose(&mut harness, "Splitting", "Paper (Thomas 1986)");
+    let cases: [(&str, f64, f64, Value); 15] = [
         ("Diameter", 8.25, 8.25, |r| f64::from(brilliant(r).diameter_mm)),
         ("Table", 60.0, 0.6, |r| f64::from(brilliant(r).table)),
         ("Crown angle", 32.5, 32.5, |r| f64::from(brilliant(r).crown_angle_degrees)),
@@ -35,6 +38,7 @@ fn every_tracing_slider_changes_the_request() {
         ("Maximum depth", 12.0, 12.0, |r| f64::from(r.trace.max_depth)),
         ("Spectral bins", 32.0, 32.0, |r| f64::from(r.trace.bins)),
         ("Passes", 100.0, 100.0, |r| f64::from(r.pass_limit)),
+        ("Noise target", 5.0, 0.05, |r| f64::from(r.noise.target)),
         ("Ambient", 0.5, 0.5, |r| f64::from(r.scene.lights.hemisphere.as_ref().unwrap().radiance)),
     ];
     for (label, shown, expected, value) in cases {
@@ -45,6 +49,19 @@ fn every_tracing_slider_changes_the_request() {
         let value = value(&after);
         assert!((value - expected).abs() < 1e-6 * expected, "{label} is {value}, not {expected}");
     }
+}
+
+#[test]
+fn passes_and_noise_carry_on_with_the_film() {
+    let mut harness = harness();
+    let before = request(&harness);
+    set(&mut harness, "Passes", 100.0);
+    set(&mut harness, "Noise target", 3.0);
+    harness.get_by_role_and_label(Role::CheckBox, "Adaptive").click();
+    harness.run_steps(2);
+    let after = request(&harness);
+    assert_ne!(before.noise.is_adaptive, after.noise.is_adaptive);
+    assert!(before != after && before.makes_same_film(&after));
 }
 
 #[test]
@@ -87,6 +104,7 @@ fn lights_scale_together() {
 #[test]
 fn switches_and_lists_change_the_request() {
     let mut harness = harness();
+    choose(&mut harness, "Splitting", "Paper (Thomas 1986)");
     harness.get_by_role_and_label(Role::CheckBox, "Perturb sub-rays").click();
     harness.run_steps(2);
     assert!(!request(&harness).trace.perturb);
@@ -115,6 +133,41 @@ fn switches_and_lists_change_the_request() {
     assert_eq!(brilliant(&request(&harness)), tolkowsky);
 }
 
+/// What belongs to the paper's splitting only is idle by the exact one, and keeps its value.
+#[test]
+fn the_splitting_can_be_chosen_and_taken_back() {
+    let mut harness = harness();
+    choose(&mut harness, "Splitting", "Paper (Thomas 1986)");
+    let of_paper = request(&harness).trace;
+    assert_eq!(of_paper.splitting, Splitting::Paper);
+    let is_idle = |harness: &AppHarness| {
+        let perturb = harness.get_by_role_and_label(Role::CheckBox, "Perturb sub-rays");
+        let [split_count, roulette] = ["Split count", "Roulette"].map(|row| slider(harness, row));
+        [perturb, split_count, roulette].map(|node| node.accesskit_node().is_disabled())
+    };
+    assert_eq!(is_idle(&harness), [false, false, true]);
+    rest(&mut harness);
+
+    choose(&mut harness, "Splitting", "Exact");
+    let exact = TraceSettings { splitting: Splitting::Exact, ..of_paper.clone() };
+    assert_eq!(request(&harness).trace, exact);
+    harness.run_steps(2);
+    assert_eq!(is_idle(&harness), [true, true, false]);
+    rest(&mut harness);
+    set(&mut harness, "Roulette", 1.0);
+    assert!((request(&harness).trace.roulette_threshold - 0.01).abs() < 1e-8);
+    harness.get(by().role(Role::Label).label("Split count").include_labels()).hover();
+    harness.run_steps(60);
+    harness.get_by_label_contains("Belongs to the paper's splitting");
+
+    for expected in [exact, of_paper] {
+        rest(&mut harness);
+        harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+        harness.run_steps(3);
+        assert_eq!(request(&harness).trace, expected);
+    }
+}
+
 #[test]
 fn display_settings_make_no_request() {
     let mut harness = harness();
@@ -140,6 +193,7 @@ fn display_settings_make_no_request() {
 #[test]
 fn a_slider_follows_the_mouse_and_a_double_click_resets_it() {
     let mut harness = harness();
+    choose(&mut harness, "Splitting", "Paper (Thomas 1986)");
     let default = f64::from(request(&harness).trace.split_count);
     let rect = slider(&harness, "Split count").rect();
     let target = rect.left_center() + vec2(0.75 * rect.width(), 0.0);

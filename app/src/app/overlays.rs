@@ -67,6 +67,7 @@ impl App {
                 size: order.still.size,
                 trace: document.trace.clone(),
                 pass_limit: order.still.passes,
+                noise: order.still.noise,
                 backend: self.live.backend(),
             },
             device: self.session().tracing_device(),

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use brilliance_renderer::scene_file::StillSettings;
-use brilliance_renderer::settings::TraceSettings;
+use brilliance_renderer::settings::{NoiseGoal, TraceSettings};
 use brilliance_renderer::still::StillFormat;
 use brilliance_renderer::tracer::Backend;
 use clap::builder::{RangedI64ValueParser, RangedU64ValueParser};
@@ -68,6 +68,11 @@ pub(super) struct RenderArguments {
     /// Passes, each of one camera ray per pixel [default: the scene's]
     #[arg(long, value_name = "N", value_parser = within(StillSettings::PASSES))]
     pub(super) passes: Option<u32>,
+
+    /// Stop when the noise is no more than this part of the light, such as 0.01 for 1 %, even if
+    /// passes remain; 0 never does [default: the scene's]
+    #[arg(long, value_name = "X", value_parser = parse_noise)]
+    pub(super) noise: Option<f32>,
 
     /// Stop after this many seconds of tracing, even if passes remain (one is always traced)
     #[arg(long, value_name = "S", value_parser = parse_seconds)]
@@ -176,6 +181,7 @@ impl RenderArguments {
         let options = [
             ("--size", self.size.is_some(), "still.size"),
             ("--passes", self.passes.is_some(), "still.passes"),
+            ("--noise", self.noise.is_some(), "still.noise_target"),
             ("--bins", self.bins.is_some(), "trace.bins"),
         ];
         for (option, given, key) in options {
@@ -190,6 +196,14 @@ impl RenderArguments {
 /// A whole number in `allowed`.
 pub(super) fn within(allowed: RangeInclusive<u32>) -> RangedI64ValueParser<u32> {
     value_parser!(u32).range(i64::from(*allowed.start())..=i64::from(*allowed.end()))
+}
+
+/// A noise that can be aimed at.
+fn parse_noise(text: &str) -> Result<f32, String> {
+    let allowed = NoiseGoal::TARGET;
+    text.parse().ok().filter(|noise| allowed.contains(noise)).ok_or_else(|| {
+        format!("give a part of the light from {} to {}", allowed.start(), allowed.end())
+    })
 }
 
 /// A positive number of seconds.

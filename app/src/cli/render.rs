@@ -63,6 +63,9 @@ fn open(arguments: &RenderArguments) -> anyhow::Result<Document> {
     if let Some(passes) = arguments.passes {
         document.still.passes = passes;
     }
+    if let Some(noise) = arguments.noise {
+        document.still.noise.target = noise;
+    }
     if let Some(bins) = arguments.bins {
         document.trace.bins = bins;
     }
@@ -85,6 +88,7 @@ pub(super) fn trace(
         size: document.still.size,
         trace: document.trace.clone(),
         pass_limit: document.still.passes,
+        noise: document.still.noise,
         backend,
     };
     let device = open_graphics(backend)?.map(TracingDevice::from);

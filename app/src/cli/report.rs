@@ -5,6 +5,7 @@ use std::path::Path;
 
 use anyhow::Context as _;
 use brilliance_renderer::scene_file::Document;
+use brilliance_renderer::settings::Splitting;
 use brilliance_renderer::statistics::Statistics;
 use brilliance_renderer::still::Still;
 use brilliance_renderer::tracer::{Backend, TracerName};
@@ -33,10 +34,16 @@ pub(super) struct Report {
     output: String,
     /// Width and height in pixels.
     size: [u32; 2],
+    /// How rays were divided.
+    splitting: Splitting,
     /// Spectral bins of the film.
     bins: u32,
     /// Passes traced.
     passes: u32,
+    /// The film's noise when it was measured last; none after few passes.
+    noise: Option<f32>,
+    /// The noise that was aimed at; 0 for none.
+    noise_target: f32,
     /// Seconds of tracing alone.
     tracing_seconds: f64,
     /// Ray segments over `tracing_seconds`.
@@ -62,8 +69,11 @@ impl Report {
             scene: arguments.scene.display().to_string(),
             output: arguments.output.display().to_string(),
             size: document.still.size,
+            splitting: document.trace.splitting,
             bins: document.trace.bins,
             passes: still.passes,
+            noise: still.noise,
+            noise_target: document.still.noise.target,
             tracing_seconds: still.tracing_seconds,
             segments_per_second: still.statistics.segments as f64
                 / still.tracing_seconds.max(f64::MIN_POSITIVE),
@@ -85,13 +95,15 @@ impl Report {
     fn line(&self) -> String {
         let Self { output, size: [width, height], tracer, passes, statistics, .. } = self;
         let ledger = &statistics.ledger;
+        let noise = self.noise.map(|noise| format!(" to a noise of {:.2} %", 100.0 * noise));
         let percent = |energy: f64| 100.0 * energy / ledger.entered.max(f64::MIN_POSITIVE);
         format!(
-            "{output}: {width}x{height} pixels, {passes} {} in {:.2} s on {tracer}; \
+            "{output}: {width}x{height} pixels, {passes} {}{} in {:.2} s on {tracer}; \
              {} camera rays, {} ray segments ({}/s, at most {} for one camera ray); \
              energy: {:.3} % returned, {:.3} % absorbed, {:.3} % pruned, {:.3} % cut off, \
              {:.3} % lost",
             if *passes == 1 { "pass" } else { "passes" },
+            noise.unwrap_or_default(),
             self.tracing_seconds,
             with_prefix(statistics.camera_rays as f64),
             with_prefix(statistics.segments as f64),

@@ -7,7 +7,7 @@ use brilliance_renderer::still::StillFormat;
 use eframe::egui::{Button, DragValue, RichText, TextEdit, Ui};
 
 use super::StillOrder;
-use crate::panels::MAX_PASSES;
+use crate::panels::{MAX_PASSES, noise_ui};
 use crate::row::{SliderRow, choice, combo, labelled, switch};
 use crate::theme;
 
@@ -62,7 +62,7 @@ impl Default for Form {
 }
 
 impl Form {
-    /// Begins anew with the size and the passes of `still`; the format is that of the last time.
+    /// Begins anew with the size and the effort of `still`; the format is that of the last time.
     pub(super) fn begin(&mut self, still: StillSettings, suggestion: &Path) {
         self.still = still;
         self.locked_aspect = None;
@@ -137,6 +137,7 @@ impl Form {
         )
         .logarithmic()
         .show_u32(ui, &mut self.still.passes);
+        noise_ui(ui, &mut self.still.noise);
         browse
     }
 

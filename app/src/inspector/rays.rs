@@ -2,6 +2,7 @@
 
 mod brush;
 mod detail;
+mod fan_shape;
 mod filter;
 mod legend;
 mod outline;

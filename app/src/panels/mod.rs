@@ -7,7 +7,7 @@ mod material;
 mod stone;
 mod tracing;
 
-pub(crate) use tracing::MAX_PASSES;
+pub(crate) use tracing::{MAX_PASSES, noise_ui};
 
 use brilliance_renderer::scene_file::Document;
 use eframe::egui::{CollapsingHeader, Frame, Margin, Panel, RichText, ScrollArea, Ui};
@@ -74,7 +74,7 @@ fn sections_ui(ui: &mut Ui, document: &mut Document, opened: &Document, state: &
     });
     section(ui, "Display", |ui| display::show(ui, &mut document.display));
     section(ui, "Tracing", |ui| {
-        tracing::show(ui, &mut document.trace, &mut document.still.passes);
+        tracing::show(ui, &mut document.trace, &mut document.still);
     });
 }
 

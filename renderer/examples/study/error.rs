@@ -17,7 +17,7 @@ pub(crate) struct PictureError {
     pub(crate) relative_rmse: f64,
     /// Mean CIEDE2000 difference of the developed pixels.
     pub(crate) mean_delta_e: f64,
-    /// Its 99th percentile.
+    /// Its 98th percentile.
     pub(crate) high_delta_e: f64,
     /// Mean CIEDE2000 difference of the means over blocks of pixels.
     pub(crate) block_delta_e: f64,

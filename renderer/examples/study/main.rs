@@ -17,7 +17,7 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use brilliance_renderer::develop::XyzImage;
-use brilliance_renderer::settings::TraceSettings;
+use brilliance_renderer::settings::{Splitting, TraceSettings};
 
 use error::PictureError;
 use plot::{Axes, Series};
@@ -72,6 +72,7 @@ fn split_settings() -> Sweep {
     let settings = |split_count| TraceSettings {
         split_count,
         max_depth: *TraceSettings::MAX_DEPTH.end(),
+        splitting: Splitting::Paper,
         ..TraceSettings::default()
     };
     Sweep {
@@ -84,6 +85,7 @@ fn threshold_settings() -> Sweep {
     let settings = |significance_threshold| TraceSettings {
         significance_threshold,
         max_depth: *TraceSettings::MAX_DEPTH.end(),
+        splitting: Splitting::Paper,
         ..TraceSettings::default()
     };
     Sweep {

@@ -8,7 +8,7 @@ use brilliance_renderer::camera::Camera;
 use brilliance_renderer::error::RendererError;
 use brilliance_renderer::scene_file::{self, Document};
 use brilliance_renderer::session::RenderRequest;
-use brilliance_renderer::settings::TraceSettings;
+use brilliance_renderer::settings::{NoiseGoal, TraceSettings};
 use brilliance_renderer::still::{Still, StillLimits};
 use brilliance_renderer::tracer::Backend;
 use glam::Vec3;
@@ -63,6 +63,7 @@ impl StudyScene {
             size: self.size,
             trace: settings.clone(),
             pass_limit: PASSES,
+            noise: NoiseGoal::NONE,
             backend: Backend::Cpu,
         };
         Still::render(&request, StillLimits::default(), None, &AtomicBool::new(false), |_, _| {})

@@ -6,7 +6,7 @@ use super::PIXELS_PER_TASK;
 use super::heat::{HeatMap, HeatScale, codes};
 use crate::film::{Counts, Film};
 
-/// Mean counts per pixel over the passes of a film.
+/// Mean counts per pixel over its camera rays.
 #[derive(Clone, Debug)]
 pub struct CountImage {
     /// Width and height in pixels.
@@ -19,7 +19,7 @@ impl CountImage {
     /// The means of the film so far.
     pub fn from_film(film: &Film) -> Self {
         let counts = film.counts().par_iter().with_min_len(PIXELS_PER_TASK);
-        let means = counts.map(|sums| sums.mean(film.passes())).collect();
+        let means = counts.copied().map(Counts::mean).collect();
         Self { size: film.size(), means }
     }
 

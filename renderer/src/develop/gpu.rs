@@ -2,8 +2,11 @@
 
 mod count_image;
 mod expose;
+mod noise;
 mod region;
 mod xyz_image;
+
+use std::sync::Arc;
 
 use wgpu::{BindingResource, BufferUsages, ComputePipeline, Device, TextureFormat, TextureUsages};
 
@@ -14,10 +17,12 @@ pub use xyz_image::GpuXyzImage;
 use super::heat::KNOTS;
 use super::tone_curve::REINHARD_WHITE;
 use crate::error::RendererError;
-use crate::film::Counts;
+use crate::film::{BUCKETS, BUCKETS_PER_OCTAVE, Counts, ERROR_PER_DEVIATION, LOG2_LEAST};
 use crate::gpu::{Graphics, bind};
 use crate::settings::ToneCurve;
-use crate::shaders::{Constant, DEVELOP, EXPOSE, HEAT, REGION, ShaderModule, append, print};
+use crate::shaders::{
+    Constant, DEVELOP, EXPOSE, HEAT, NOISE, REGION, ROOTS, ShaderModule, append, print,
+};
 
 /// Side of the square of pixels, or of rows and bins, that a workgroup takes.
 const WORKGROUP_SIDE: u32 = 8;
@@ -26,8 +31,16 @@ const WORKGROUP_SIDE: u32 = 8;
 #[derive(Clone, Debug)]
 pub struct GpuDeveloper {
     graphics: Graphics,
+    pipelines: Arc<Pipelines>,
+}
+
+/// The compiled shaders.
+#[derive(Debug)]
+struct Pipelines {
     expose: ComputePipeline,
     sum_rows: ComputePipeline,
+    sum_roots: ComputePipeline,
+    noise: ComputePipeline,
     develop: ComputePipeline,
     heat: ComputePipeline,
 }
@@ -38,14 +51,19 @@ impl GpuDeveloper {
     /// # Errors
     /// The device refuses the shaders, or fails.
     pub fn new(graphics: &Graphics) -> Result<Self, RendererError> {
-        let [expose, sum_rows, develop, heat] =
-            graphics.guard("compile the shaders that develop", |device| {
-                // What a device can't make shows now, and not with the first picture.
-                let _ = (exposed_texture(device, [1, 1]), developed_texture(device, [1, 1]));
-                [("expose", EXPOSE), ("sum rows", REGION), ("develop", DEVELOP), ("heat", HEAT)]
-                    .map(|(label, modules)| pipeline(device, label, modules))
-            })?;
-        Ok(Self { graphics: graphics.clone(), expose, sum_rows, develop, heat })
+        let pipelines = graphics.guard("compile the shaders that develop", |device| {
+            // What a device can't make shows now, and not with the first picture.
+            let _ = (exposed_texture(device, [1, 1]), developed_texture(device, [1, 1]));
+            Pipelines {
+                expose: pipeline(device, "expose", EXPOSE),
+                sum_rows: pipeline(device, "sum rows", REGION),
+                sum_roots: pipeline(device, "sum roots", ROOTS),
+                noise: pipeline(device, "noise", NOISE),
+                develop: pipeline(device, "develop", DEVELOP),
+                heat: pipeline(device, "heat", HEAT),
+            }
+        })?;
+        Ok(Self { graphics: graphics.clone(), pipelines: Arc::new(pipelines) })
     }
 
     /// Runs `pipeline` over pixels, or bins and rows; each of `runs` binds its resources in the order of
@@ -138,6 +156,12 @@ pub(super) fn source(modules: &[ShaderModule]) -> String {
         ("FILMIC", Constant::U32(ToneCurve::Filmic as u32)),
         ("REINHARD_WHITE", Constant::F32(REINHARD_WHITE)),
         ("COUNTS_LEN", Constant::U32(Counts::LEN as u32)),
+        ("SAMPLES", Constant::U32(Counts::SAMPLES as u32)),
+        ("SQUARES", Constant::U32(Counts::SQUARES as u32)),
+        ("BUCKETS", Constant::U32(BUCKETS as u32)),
+        ("BUCKETS_PER_OCTAVE", Constant::F32(BUCKETS_PER_OCTAVE)),
+        ("LOG2_LEAST", Constant::F32(LOG2_LEAST)),
+        ("ERROR_PER_DEVIATION", Constant::F32(ERROR_PER_DEVIATION)),
         ("KNOTS", Constant::U32(KNOTS as u32)),
     ]);
     append(&mut source, modules);
@@ -152,7 +176,7 @@ mod tests {
     /// A module needs only what stands before it.
     #[test]
     fn every_prefix_of_the_shaders_is_valid() {
-        for modules in [EXPOSE, REGION, DEVELOP, HEAT] {
+        for modules in [EXPOSE, REGION, ROOTS, NOISE, DEVELOP, HEAT] {
             for count in 0..=modules.len() {
                 parse(&source(&modules[..count]));
             }

@@ -22,15 +22,14 @@ pub struct XyzImage {
 }
 
 impl XyzImage {
-    /// Integrates the mean over the film's passes. A pixel that holds a NaN or an infinity is
+    /// Integrates the mean over each pixel's camera rays. A pixel that holds a NaN or an infinity is
     /// black.
     pub fn from_film(film: &Film) -> Self {
         let weights = Observer::bin_weights(film.bins());
-        let scale = 1.0 / f64::from(film.passes().max(1));
-        let pixels = film.sums().par_chunks_exact(weights.len()).with_min_len(PIXELS_PER_TASK);
-        let xyz = pixels.map(|sums| {
+        let pixels = film.sums().par_chunks_exact(weights.len()).zip(film.counts());
+        let xyz = pixels.with_min_len(PIXELS_PER_TASK).map(|(sums, counts)| {
             let sum: DVec3 = weights.iter().zip(sums).map(|(w, &sum)| *w * f64::from(sum)).sum();
-            let xyz = (sum * scale).as_vec3();
+            let xyz = (sum * f64::from(counts.scale())).as_vec3();
             if xyz.is_finite() { xyz.to_array() } else { [0.0; 3] }
         });
         let xyz = xyz.collect();

@@ -11,7 +11,7 @@ use crate::inspect::{RayKind, RayTree, RayTreeRequest, RecordedRay};
 use crate::light::{DiscLight, Lights};
 use crate::material::{Dielectric, Dispersion, Material};
 use crate::scene::{Object, Scene, Shape, Transform};
-use crate::settings::TraceSettings;
+use crate::settings::{Splitting, TraceSettings};
 use crate::solid::HalfSpace;
 use crate::spectrum::{Illuminant, Spectrum};
 
@@ -219,6 +219,7 @@ impl PrismRays {
             pixel: [0, 0],
             pass_index: 0,
             trace: TraceSettings {
+                splitting: Splitting::Paper,
                 split_count: setup.split_count as f32,
                 significance_threshold: SIGNIFICANCE,
                 max_depth: MAX_DEPTH,

@@ -2,13 +2,14 @@
 
 use serde::Serialize;
 
+use super::branch::{Branch, Meeting};
 use super::names::{Name, Names, Surface};
 use super::received::{ReceivedLight, received_lights};
-use crate::kernel::fork::{interface_at, medium_beyond};
+use super::tree::RayKind;
+use crate::kernel::fork::interface_at;
 use crate::kernel::interface::{
     cos_refracted_squared, fresnel, index_of_refraction, relative_index,
 };
-use crate::kernel::lights::{Cone, disc_cone, is_far_off, overlap_amount, overlap_hemisphere};
 use crate::kernel::ray::{Hit, Ray};
 use crate::kernel::trace::{is_lost, meets_opaque};
 use crate::kernel::walk::TraceRules;
@@ -62,8 +63,8 @@ pub enum Limit {
     Stack,
 }
 
-/// A ray's meeting with an interface. Angles, indices and coefficients are those of the wavelength in
-/// the middle of its interval.
+/// A ray's meeting with an interface. Angles, indices and coefficients are those of its central
+/// wavelength.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct InterfaceEvent {
     /// Where.
@@ -80,10 +81,11 @@ pub struct InterfaceEvent {
     pub reflectance: f32,
     /// 1 − reflectance.
     pub transmittance: f32,
-    /// Sub-rays that what is not totally reflected was divided into; 0 where all is.
+    /// Parts that the interface divides into what it does not reflect totally; 0 where it does so with
+    /// all.
     pub subrays: u32,
     /// The wavelength in nm that divides total reflection from refraction, where that lies within
-    /// the ray's interval.
+    /// the ray's interval; of two the shorter.
     pub dividing_nm: Option<f32>,
 }
 
@@ -108,27 +110,42 @@ pub struct SeenLight {
     pub name: Name,
     /// The part of the ray's fan, in 0..=1, that the light fills.
     pub overlap: f32,
+    /// Where in the ray's interval the light is seen: from which wavelength to which, in nm. Empty by
+    /// the paper's splitting, which adds the light evenly to the whole interval.
+    pub bands_nm: Vec<[f32; 2]>,
 }
 
-/// What a ray came to that ends at `hit`; `children` are the rays that it became.
-pub(super) fn read_end(
+/// One of those that came of what met an interface.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Offspring {
+    pub(super) kind: RayKind,
+    pub(super) lambda_low_nm: f32,
+    pub(super) lambda_high_nm: f32,
+}
+
+/// What `meeting` is; `offspring` is what came of it.
+pub(super) fn read_end<B: Branch>(
     scene: &PackedScene,
     rules: &TraceRules,
     names: &mut Names,
-    ray: &Ray,
-    hit: &Hit,
-    children: &[Ray],
+    meeting: &Meeting<B>,
+    offspring: &[Offspring],
 ) -> RayEnd {
+    let Meeting { hit, ray, .. } = meeting;
     if is_lost(ray, hit) {
         return RayEnd::Lost;
     }
     let Some(surface) = names.surface(hit.instance, hit.facet) else {
-        return see_lights(scene, rules, names, ray);
+        if ray.depth == 0 && scene.sky.backdrop != NONE {
+            return RayEnd::Backdrop;
+        }
+        return meeting.part.sky_view(scene, rules, names).into_end();
     };
     if meets_opaque(scene, hit) {
         return RayEnd::Matte { surface, lights: received_lights(scene, rules, names, ray, hit) };
     }
-    RayEnd::Interface(read_interface(scene, surface, ray, hit, children))
+    let central_nm = meeting.part.start(scene).central_nm;
+    RayEnd::Interface(read_interface(scene, surface, ray, hit, central_nm, offspring))
 }
 
 fn read_interface(
@@ -136,18 +153,17 @@ fn read_interface(
     surface: Surface,
     ray: &Ray,
     hit: &Hit,
-    children: &[Ray],
+    central_nm: f32,
+    offspring: &[Offspring],
 ) -> InterfaceEvent {
     let at = interface_at(scene, ray, hit);
-    let central_nm = 0.5 * (ray.lambda_low_nm + ray.lambda_high_nm);
     let eta = relative_index(scene, &at, central_nm);
     let cos_i = (-ray.direction.dot(at.normal)).clamp(0.0, 1.0);
     let cos_t_squared = cos_refracted_squared(cos_i, eta);
     let is_refracted = cos_i > 0.0 && cos_t_squared > 0.0;
     let cos_t = cos_t_squared.max(0.0).sqrt();
     let reflectance = if is_refracted { fresnel(cos_i, cos_t, eta) } else { 1.0 };
-    // What is totally reflected is sent first, and alone keeps all of its significance.
-    let total = children.first().filter(|child| child.significance == ray.significance);
+    let total = offspring.iter().find(|child| child.kind == RayKind::TotallyReflected);
     let dividing_nm = total.and_then(|total| {
         if total.lambda_high_nm < ray.lambda_high_nm {
             Some(total.lambda_high_nm)
@@ -157,8 +173,7 @@ fn read_interface(
             None
         }
     });
-    let beyond = medium_beyond(ray, hit);
-    let subrays = children.iter().filter(|child| child.medium == beyond).count() as u32;
+    let subrays = offspring.iter().filter(|child| child.kind == RayKind::Refracted).count() as u32;
     InterfaceEvent {
         surface,
         incidence_degrees: cos_i.acos().to_degrees(),
@@ -169,47 +184,5 @@ fn read_interface(
         transmittance: 1.0 - reflectance,
         subrays,
         dividing_nm,
-    }
-}
-
-/// What the kernel's `ray_light` shows the ray.
-fn see_lights(scene: &PackedScene, rules: &TraceRules, names: &Names, ray: &Ray) -> RayEnd {
-    let sky = &scene.sky;
-    if ray.depth == 0 && sky.backdrop != NONE {
-        return RayEnd::Backdrop;
-    }
-    let part_of = |cone: &Cone| {
-        if is_far_off(ray, ray.spread.length(), cone) { 0.0 } else { overlap_amount(ray, cone) }
-    };
-    let mut observer_shadow = 0.0;
-    if sky.sin_squared_observer_shadow > 0.0 {
-        observer_shadow = part_of(&Cone {
-            center: rules.observer,
-            cos_radius: sky.cos_observer_shadow,
-            sin_squared_radius: sky.sin_squared_observer_shadow,
-        });
-    }
-    let visible = 1.0 - observer_shadow;
-    let lamps = scene.discs.iter().enumerate().map(|(i, disc)| SeenLight {
-        light: LightKind::Lamp,
-        name: names.lamp(i),
-        overlap: part_of(&disc_cone(disc)),
-    });
-    let environment = (sky.environment != NONE).then(|| SeenLight {
-        light: LightKind::Environment,
-        name: names.environment.clone(),
-        overlap: visible,
-    });
-    let hemisphere = (sky.hemisphere != NONE).then(|| SeenLight {
-        light: LightKind::Hemisphere,
-        name: names.hemisphere.clone(),
-        overlap: visible * overlap_hemisphere(ray),
-    });
-    let all = lamps.chain(environment).chain(hemisphere);
-    let lights: Vec<_> = all.filter(|seen| seen.overlap > 0.0).collect();
-    if lights.is_empty() {
-        RayEnd::Dark { observer_shadow }
-    } else {
-        RayEnd::Lights { lights, observer_shadow }
     }
 }

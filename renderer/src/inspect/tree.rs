@@ -9,6 +9,7 @@ use super::recorder;
 use super::request::RayTreeRequest;
 use crate::error::RendererError;
 use crate::packed::PackedScene;
+use crate::settings::Splitting;
 use crate::spectrum::Bins;
 use crate::statistics::Ledger;
 
@@ -26,7 +27,22 @@ pub enum RayKind {
     TotallyReflected,
 }
 
-/// One ray of the tree.
+/// A ray at one end of its interval of wavelengths.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct RayEdge {
+    /// Where it starts, in mm.
+    pub origin_mm: Vec3,
+    /// Where it ends, in mm; none where it meets no surface or was not followed.
+    pub end_mm: Option<Vec3>,
+    /// Unit vector.
+    pub direction: Vec3,
+}
+
+/// One ray of the tree. Of what differs between its wavelengths, like place and direction, it tells that
+/// of the central one.
+///
+/// By exact splitting it is a part of a fan whose wavelengths all meet the same: where they part at the
+/// edge of a facet, the parts stand side by side, each as if the interface before had made it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct RecordedRay {
     /// Its place in [`RayTree::rays`].
@@ -47,22 +63,33 @@ pub struct RecordedRay {
     pub end_mm: Option<Vec3>,
     /// How far that is.
     pub path_mm: Option<f32>,
-    /// Unit vector at the middle of its interval.
+    /// Unit vector.
     pub direction: Vec3,
-    /// From `direction` to that of its longest wavelength.
+    /// What leads from `direction` to about that of its longest wavelength, and backwards to that of
+    /// its shortest.
     pub spread: Vec3,
     /// The angle between the directions of its shortest and its longest wavelength, in degrees.
     pub spread_degrees: f32,
+    /// The same at its shortest and at its longest wavelength; by the paper's splitting, as its spread
+    /// has them.
+    pub edges: [RayEdge; 2],
     /// Its shortest wavelength, in nm.
     pub lambda_low_nm: f32,
     /// Its longest wavelength, in nm.
     pub lambda_high_nm: f32,
+    /// The wavelength, in nm, of its middle ray. By the paper's splitting that is halfway; by exact
+    /// splitting as refraction spaces them, or nearer to where total reflection begins.
+    pub central_nm: f32,
     /// What its radiance counts in the pixel: the Fresnel factors so far, before the absorption that
     /// its path has still to pay for.
     pub significance: f32,
-    /// The part of the camera ray's energy that it starts with: its significance times its part of
-    /// the spectrum.
+    /// The part of the camera ray's energy that it starts with: the significance of its wavelengths
+    /// times its part of the spectrum.
     pub energy: f32,
+    /// The part of that which was not its own: by exact splitting a weak ray is ended or lives on by
+    /// chance, and one that lives carries the energy of those that do not. It is taken from what is
+    /// booked as pruned.
+    pub energy_gained: f32,
     /// What ended it.
     pub end: RayEnd,
     /// The part of the camera ray's energy that it ended with, which goes into the account that `end`
@@ -83,11 +110,6 @@ impl RecordedRay {
         let sum: f64 = self.radiance_per_bin.iter().sum();
         sum / self.radiance_per_bin.len().max(1) as f64
     }
-
-    /// Wavelength in the middle of its interval, in nm.
-    pub fn central_nm(&self) -> f32 {
-        0.5 * (self.lambda_low_nm + self.lambda_high_nm)
-    }
 }
 
 /// All that came of the camera ray of one pixel in one pass.
@@ -99,6 +121,8 @@ pub struct RayTree {
     pub size_px: [u32; 2],
     /// The pass, counted from 0.
     pub pass_index: u32,
+    /// How rays are divided.
+    pub splitting: Splitting,
     /// Ends of the film's bins, in nm: one more than there are bins.
     pub bin_edges_nm: Vec<f32>,
     /// What the pass adds to the pixel's film, bin by bin.
@@ -112,7 +136,7 @@ pub struct RayTree {
     /// Rays that the record does not show.
     pub unrecorded_rays: u64,
     /// The rays, each before those that came of it, which follow in the order in which the
-    /// interface made them: low wavelengths first, reflected before refracted.
+    /// interface made them: low wavelengths first, and as a rule reflected before refracted.
     pub rays: Vec<RecordedRay>,
 }
 

@@ -44,6 +44,15 @@ pub fn axis_moments(scene: &PackedScene, bin: u32) -> [f32; 2] {
     [scene.spectra[first], scene.spectra[first + scene.bins.count()]]
 }
 
+/// The moments of all bins: the means, and those of the squares.
+#[inline]
+pub fn all_axis_moments(scene: &PackedScene) -> [&[f32]; 2] {
+    let first = scene.axis as usize + AXIS_LEN + INDEX_TABLE_LEN;
+    let count = scene.bins.count();
+    let (means, squares) = scene.spectra[first..first + 2 * count].split_at(count);
+    [means, squares]
+}
+
 /// Indices of refraction of a medium at the nodes, which lie at these positions on the axis; 1 for
 /// air.
 #[inline]

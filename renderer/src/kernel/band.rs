@@ -1,7 +1,11 @@
 //! The light of a fan, bin by bin: what a part of its interval deposits, and what energy it carries.
 
+use std::ops::Range;
+
 use crate::kernel::absorption::{BinRange, bin_overlap, bin_range};
-use crate::kernel::axis::{axis_moments, axis_position_of, wavelength_at, wavelength_slope_at};
+use crate::kernel::axis::{
+    all_axis_moments, axis_moments, axis_position_of, wavelength_at, wavelength_slope_at,
+};
 use crate::kernel::fan::{Fan, axis_position_in};
 use crate::kernel::parabola::{
     Parabola, half_slope_at, parabola_at, parabola_through, position_where,
@@ -124,6 +128,51 @@ pub fn fan_transmittance(
     (-scene.spectrum_value(row, bin) * path_mm).exp()
 }
 
+/// The weight of a fan along the dispersion axis: what it is per power of the position there.
+struct AxisWeight {
+    constant: f32,
+    linear: f32,
+    square: f32,
+}
+
+impl AxisWeight {
+    /// Of a band whose positions go with those on the axis.
+    #[inline]
+    fn of(band: &Band) -> Self {
+        let per_axis = 0.5 / band.axis.b;
+        let at_zero = -band.axis.c * per_axis;
+        let Parabola { a, b, c } = band.weight;
+        Self {
+            constant: (a * at_zero + 2.0 * b) * at_zero + c,
+            linear: 2.0 * per_axis * (a * at_zero + b),
+            square: a * per_axis * per_axis,
+        }
+    }
+
+    /// The mean weights of bins, of which `means` and `squares` are the moments.
+    #[inline]
+    fn of_bins<'a>(
+        &'a self,
+        means: &'a [f32],
+        squares: &'a [f32],
+    ) -> impl Iterator<Item = f32> + 'a {
+        means.iter().zip(squares).map(|(mean, square)| {
+            (self.constant + self.linear * mean + self.square * square).max(0.0)
+        })
+    }
+}
+
+/// The bins that a band covers whole, where their light can be summed up by their moments.
+#[inline]
+fn whole_bins(band: &Band) -> Range<usize> {
+    if band.axis.a.abs() > STRAIGHT * band.axis.b {
+        return 0..0;
+    }
+    let start = band.range.low.ceil().max(0.0) as usize;
+    let end = band.range.high.max(0.0) as usize;
+    start..end.max(start)
+}
+
 /// Adds radiance of row `radiance_row` over the part of the fan's interval between two positions in
 /// it.
 #[inline]
@@ -136,13 +185,27 @@ pub fn deposit_band<R: Copy>(
 ) {
     let scene = walk.scene;
     let band = band_of(scene, fan, low, high);
+    let whole = if fan.absorber == NONE { whole_bins(&band) } else { 0..0 };
     for bin in band.range.first..=band.range.last {
+        if whole.contains(&(bin as usize)) {
+            continue;
+        }
         let part = bin_part(scene, &band, bin);
         let mut value = bin_weight(&band, &part) * scene.spectrum_value(radiance_row, bin);
         if fan.absorber != NONE {
             value *= fan_transmittance(scene, fan, &band, &part, bin);
         }
         walk.radiance[bin as usize] += value;
+    }
+    if !whole.is_empty() {
+        let [means, squares] = all_axis_moments(scene);
+        let weight = AxisWeight::of(&band);
+        let weights = weight.of_bins(&means[whole.clone()], &squares[whole.clone()]);
+        let lights = &scene.spectrum_row(radiance_row)[whole.clone()];
+        let radiance = &mut walk.radiance[whole];
+        for ((radiance, weight), light) in radiance.iter_mut().zip(weights).zip(lights) {
+            *radiance += weight * light;
+        }
     }
 }
 
@@ -151,9 +214,17 @@ pub fn deposit_band<R: Copy>(
 #[inline]
 pub fn fan_energy(scene: &PackedScene, fan: &Fan) -> f32 {
     let band = band_of(scene, fan, -1.0, 1.0);
+    let whole = whole_bins(&band);
     let mut energy = 0.0;
     for bin in band.range.first..=band.range.last {
-        energy += bin_weight(&band, &bin_part(scene, &band, bin));
+        if !whole.contains(&(bin as usize)) {
+            energy += bin_weight(&band, &bin_part(scene, &band, bin));
+        }
+    }
+    if !whole.is_empty() {
+        let [means, squares] = all_axis_moments(scene);
+        let weight = AxisWeight::of(&band);
+        energy += weight.of_bins(&means[whole.clone()], &squares[whole]).sum::<f32>();
     }
     energy / scene.bins.count() as f32
 }
@@ -162,16 +233,16 @@ pub fn fan_energy(scene: &PackedScene, fan: &Fan) -> f32 {
 #[inline]
 pub fn retire_fan<R: Copy>(walk: &mut Walk<'_, R>, fan: &Fan) -> f32 {
     let scene = walk.scene;
+    if fan.absorber == NONE {
+        return fan_energy(scene, fan);
+    }
     let band = band_of(scene, fan, -1.0, 1.0);
     let mut energy = 0.0;
     let mut absorbed = 0.0;
     for bin in band.range.first..=band.range.last {
         let part = bin_part(scene, &band, bin);
         let weight = bin_weight(&band, &part);
-        let mut kept = 1.0;
-        if fan.absorber != NONE {
-            kept = fan_transmittance(scene, fan, &band, &part, bin);
-        }
+        let kept = fan_transmittance(scene, fan, &band, &part, bin);
         energy += weight * kept;
         absorbed += weight * (1.0 - kept);
     }

@@ -8,7 +8,7 @@ use crate::kernel::rng;
 /// pixel from pass to pass.
 #[inline]
 pub fn camera_ray(frame: &CameraFrame, size: [u32; 2], x: u32, y: u32, pass_index: u32) -> Ray {
-    let [jitter_x, jitter_y] = rng::pixel_sample(pass_index);
+    let [jitter_x, jitter_y] = rng::pixel_sample(pixel_seed(x, y), pass_index);
     let across = 2.0 * (x as f32 + jitter_x) / size[0] as f32 - 1.0;
     let upwards = 1.0 - 2.0 * (y as f32 + jitter_y) / size[1] as f32;
     let direction = frame.forward + frame.right * across + frame.up * upwards;

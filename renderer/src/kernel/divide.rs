@@ -12,7 +12,8 @@ use crate::kernel::fan_walk::{fate_of_fan, is_worth_dividing, largest, least_of,
 use crate::kernel::fork::{absorber_of, interface_at, medium_beyond};
 use crate::kernel::interface::Interface;
 use crate::kernel::nodes::{
-    Nodes, dot_each, high_node, low_node, middle_node, normalize_each, scale_each, shift_each,
+    Nodes, basis_of, dot_each, high_node, low_node, middle_node, normalize_each, scale_each,
+    shift_each,
 };
 use crate::kernel::parabola::{crossings, parabola_at, parabola_through};
 use crate::kernel::ray::{Hit, Ray};
@@ -31,6 +32,10 @@ pub const DIRECTION_TOLERANCE: f32 = 2e-4;
 /// its middle node is drawn to the critical wavelength.
 pub const DRAWING_CONTRAST: f32 = 0.4;
 
+/// Energy below which a fan lives by chance, over that of others, where it ends at the lights at once:
+/// it costs little.
+pub const LEAF_SHARE: f32 = 0.1;
+
 /// What three nodes of a fan meet at an interface.
 #[derive(Clone, Copy, Debug)]
 pub struct Crossing {
@@ -48,21 +53,24 @@ pub struct Crossing {
 pub fn divide_fan(walk: &mut Walk<'_, Fan>, fan: &Fan, ray: &Ray, hit: &Hit) {
     let scene = walk.scene;
     let at = interface_at(scene, ray, hit);
-    let at_nodes = crossing_of(scene, &at, fan).cos_t_squared;
-    let cos_t_squared = parabola_through(at_nodes);
-    let is_reflected = largest(at_nodes) <= 0.0;
-    let divides = !is_reflected && least_of(at_nodes) <= 0.0 && is_worth_dividing(walk.rules, fan);
-    let mut ends = [-1.0, 1.0, 1.0, 1.0];
-    if divides {
-        [ends[1], ends[2]] = crossings(&cos_t_squared);
+    let crossing = crossing_of(scene, &at, fan);
+    if largest(crossing.cos_t_squared) <= 0.0 {
+        reflect_fan(walk, fan, hit, &at, Vec3A::ONE);
+        return;
     }
+    if least_of(crossing.cos_t_squared) > 0.0 || !is_worth_dividing(walk.rules, fan) {
+        refract_fan(walk, fan, ray, hit, &at);
+        return;
+    }
+    let cos_t_squared = parabola_through(crossing.cos_t_squared);
+    let [first, second] = crossings(&cos_t_squared);
+    let ends = [-1.0, first, second, 1.0];
     for i in 0..3 {
         if ends[i + 1] <= ends[i] {
             continue;
         }
         let part = part_of_fan(fan, ends[i], ends[i + 1]);
-        let middle = parabola_at(&cos_t_squared, 0.5 * (ends[i] + ends[i + 1]));
-        if is_reflected || (divides && middle <= 0.0) {
+        if parabola_at(&cos_t_squared, 0.5 * (ends[i] + ends[i + 1])) <= 0.0 {
             reflect_fan(walk, &part, hit, &at, Vec3A::ONE);
         } else {
             refract_fan(walk, &part, ray, hit, &at);
@@ -107,79 +115,72 @@ pub fn reflect_fan(walk: &mut Walk<'_, Fan>, fan: &Fan, hit: &Hit, at: &Interfac
     send_fan(walk, &reflected);
 }
 
-/// Sends on the refracted and the reflected part of a fan of which at least one node is refracted.
-///
-/// The refracted part is divided where its directions bend too much for three nodes. Then the reflected
-/// part's weight at its middle is what makes its energy the rest.
+/// Sends on the refracted and the reflected part of a fan of which at least one node is refracted. It is
+/// divided where its weights or its directions bend too much for three nodes.
 #[inline]
 pub fn refract_fan(walk: &mut Walk<'_, Fan>, incident: &Fan, ray: &Ray, hit: &Hit, at: &Interface) {
     let scene = walk.scene;
-    let fan = &drawn_to_critical(scene, incident, at);
-    let crossing = &crossing_of(scene, at, fan);
-    let reflectance = reflectances(crossing);
-    let refracted = refracted_fan(scene, fan, ray, hit, at, crossing, reflectance);
-    let divides_by_bins = pays_on_entering(scene, fan, refracted.medium);
-    let divides = is_bent(&refracted.direction) && is_worth_dividing(walk.rules, &refracted);
-    if !divides && !divides_by_bins {
-        reflect_fan(walk, fan, hit, at, reflectance);
-        send_refracted(walk, &refracted);
-        return;
-    }
-    let mut rest = fan_energy(scene, fan);
+    let (whole, is_drawn) = drawn_to_critical(scene, incident, at);
+    let divides_by_bins = pays_on_entering(scene, &whole, medium_beyond(ray, hit));
+    let mut part = whole;
     let mut low = -1.0;
-    let mut step: f32 = 2.0;
-    while low < 1.0 {
-        let mut high = (low + step).min(1.0);
-        if divides_by_bins {
-            high = high.min(end_of_bin(scene, fan, low).max(low + 1e-3));
-        }
-        let part = part_of_fan(fan, low, high);
+    let mut high: f32 = 1.0;
+    if divides_by_bins {
+        high = end_of_bin(scene, &whole, low);
+        part = part_of_fan(&whole, low, high);
+    }
+    loop {
         let crossing = crossing_of(scene, at, &part);
         let reflectance = reflectances(&crossing);
         let refracted = refracted_fan(scene, &part, ray, hit, at, &crossing, reflectance);
-        let is_narrow = axis_width(&part) <= NARROW;
-        if !is_narrow && is_bent(&refracted.direction) && is_worth_dividing(walk.rules, &refracted)
-        {
-            step = 0.5 * (high - low);
-            continue;
+        let is_rough = (is_drawn && is_misjudged(walk, at, &part, reflectance))
+            || is_bent(&refracted.direction);
+        if is_rough && is_worth_dividing(walk.rules, &part) && axis_width(&part) > NARROW {
+            high = 0.5 * (low + high);
+        } else {
+            reflect_fan(walk, &part, hit, at, reflectance);
+            send_refracted(walk, &refracted);
+            if high >= 1.0 {
+                return;
+            }
+            // Next to the critical wavelength parts are narrow; away from it each may be twice as wide.
+            let step = 2.0 * (high - low);
+            low = high;
+            high = (low + step).min(1.0);
+            if divides_by_bins {
+                high = high.min(end_of_bin(scene, &whole, low));
+            }
         }
-        rest -= fan_energy(scene, &refracted);
-        send_refracted(walk, &refracted);
-        low = high;
-        step *= 2.0;
+        part = part_of_fan(&whole, low, high);
     }
-    reflect_fan(walk, &with_energy(scene, fan, reflectance, rest), hit, at, Vec3A::ONE);
+}
+
+/// Whether between the nodes the parabola through the reflectances puts more energy into the wrong part
+/// than is worth telling apart.
+#[inline]
+pub fn is_misjudged(walk: &Walk<'_, Fan>, at: &Interface, fan: &Fan, reflectance: Vec3A) -> bool {
+    let between = fan_through(fan, Vec3A::new(-0.5, 0.0, 0.5));
+    let judged = basis_of(Vec3A::new(-0.5, 0.0, 0.5)) * reflectance;
+    let missed = (reflectances(&crossing_of(walk.scene, at, &between)) - judged).abs();
+    missed.x.max(missed.z) * largest(fan.weight) * axis_width(fan) > walk.rules.cut_threshold
 }
 
 /// The fan with its middle node so near to the critical wavelength that the cosine of refraction there
-/// is about the mean of those at the ends: it is the root of what is linear along the axis, and with it
-/// go reflectance and direction.
+/// is about the mean of those at the ends, and whether that is elsewhere than it was: the cosine is the
+/// root of what is linear along the axis, and with it go reflectance and direction.
 #[inline]
-pub fn drawn_to_critical(scene: &PackedScene, fan: &Fan, at: &Interface) -> Fan {
+pub fn drawn_to_critical(scene: &PackedScene, fan: &Fan, at: &Interface) -> (Fan, bool) {
     let cos_t_squared = crossing_of(scene, at, fan).cos_t_squared;
     let low = cos_t_squared.x.max(0.0);
     let high = cos_t_squared.z.max(0.0);
     let difference = high - low;
     if difference.abs() <= DRAWING_CONTRAST * (high + low) {
-        return *fan;
+        return (*fan, false);
     }
     let mean = 0.5 * (low.sqrt() + high.sqrt());
     let share = (mean * mean - low) / difference;
     let middle = position_of(fan, fan.axis.x + share * axis_width(fan));
-    fan_through(fan, Vec3A::new(-1.0, middle, 1.0))
-}
-
-/// The fan with its weights multiplied by `factor`, but for the middle one, which is such that the
-/// fan's energy is `energy`.
-#[inline]
-pub fn with_energy(scene: &PackedScene, fan: &Fan, factor: Vec3A, energy: f32) -> Fan {
-    let mut adjusted = *fan;
-    adjusted.weight = Vec3A::Y;
-    let per_weight = fan_energy(scene, &adjusted);
-    adjusted.weight = fan.weight * factor;
-    let missing = energy - fan_energy(scene, &adjusted);
-    adjusted.weight.y = (adjusted.weight.y + missing / per_weight.max(1e-12)).max(0.0);
-    adjusted
+    (fan_through(fan, Vec3A::new(-1.0, middle, 1.0)), true)
 }
 
 /// The fan beyond the interface.
@@ -227,15 +228,22 @@ pub fn send_refracted(walk: &mut Walk<'_, Fan>, refracted: &Fan) {
         fan.absorber = absorber_of(scene, fan.medium);
         fan.path_mm = Vec3A::ZERO;
     }
-    let is_at_lights =
-        fan.medium == NONE && is_single(scene) && is_convex_body(scene, fan.instance);
-    if is_at_lights && fate_of_fan(scene, walk.rules, &fan, 0) == Fate::Kept {
+    if walk.keeps_all || !can_only_meet_lights(scene, &fan) {
+        send_fan(walk, &fan);
+        return;
+    }
+    let threshold = LEAF_SHARE * walk.rules.significance_threshold;
+    if fate_of_fan(walk, &mut fan, threshold) == Fate::Kept {
         walk.tally.segments += segment_count(&fan);
         walk.tally.depth = walk.tally.depth.max(fan.depth);
         end_at_lights(walk, &fan);
-    } else {
-        send_fan(walk, &fan);
     }
+}
+
+/// Whether the fan has left the only body of the scene, which is convex.
+#[inline]
+pub fn can_only_meet_lights(scene: &PackedScene, fan: &Fan) -> bool {
+    fan.medium == NONE && is_single(scene) && is_convex_body(scene, fan.instance)
 }
 
 /// Whether the fan, having run through one coloured material, enters another.
@@ -252,7 +260,8 @@ pub fn end_of_bin(scene: &PackedScene, fan: &Fan, position: f32) -> f32 {
     let lambda_nm = wavelength_at(scene, axis_position_in(fan, position));
     let bin = ((lambda_nm - LAMBDA_MIN_NM) / width_nm + 1e-3).floor();
     let end = axis_position_of(scene, LAMBDA_MIN_NM + (bin + 1.0) * width_nm);
-    if end < fan.axis.z { position_of(fan, end) } else { 1.0 }
+    // Rounding must not put it where the position is already.
+    if end < fan.axis.z { position_of(fan, end).max(position + 1e-3) } else { 1.0 }
 }
 
 /// Whether directions bend too much between the nodes for a parabola to follow them: what three

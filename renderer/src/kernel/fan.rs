@@ -95,9 +95,6 @@ pub fn segment_count(fan: &Fan) -> u32 {
 /// The part of the fan between two positions in it.
 #[inline]
 pub fn part_of_fan(fan: &Fan, low: f32, high: f32) -> Fan {
-    if low == -1.0 && high == 1.0 {
-        return *fan;
-    }
     fan_through(fan, Vec3A::new(low, 0.5 * (low + high), high))
 }
 

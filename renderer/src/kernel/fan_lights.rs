@@ -4,13 +4,22 @@ use crate::kernel::band::{deposit_band, retire_fan};
 use crate::kernel::fan::{Fan, is_dispersed};
 use crate::kernel::fan_walk::largest;
 use crate::kernel::lights::{Cone, disc_cone};
-use crate::kernel::nodes::{basis_at, blend, dot_each, slope_basis_at};
+use crate::kernel::nodes::{
+    basis_at, blend, dot_each, high_node, low_node, middle_node, slope_basis_at,
+};
 use crate::kernel::parabola::{crossings, parabola_at, parabola_through};
 use crate::kernel::walk::Walk;
 use crate::packed::NONE;
 
 /// Steps towards the position in a fan that is nearest to the middle of a light.
 pub const APPROACH_STEPS: u32 = 3;
+
+/// What directions between the nodes may gain in distance by being brought to length 1, as a factor.
+pub const LEEWAY: f32 = 1.1;
+
+/// By how much a cosine between the nodes may be larger than the parabola through those at them, since
+/// directions there are brought to length 1.
+pub const FAR_OFF_MARGIN: f32 = 1e-3;
 
 /// Halvings, at most, in search of the edge of a light.
 pub const EDGE_BISECTIONS: u32 = 12;
@@ -32,9 +41,11 @@ pub fn fan_light(walk: &mut Walk<'_, Fan>, fan: &Fan) {
         deposit_band(walk, fan, -1.0, 1.0, sky.backdrop);
         return;
     }
+    let middle = middle_node(&fan.direction);
+    let spread = largest_spread(fan);
     for disc in &scene.discs {
         let cone = disc_cone(disc);
-        if is_fan_far_off(fan, &cone) {
+        if middle.dot(cone.center) + spread < cone.cos_radius || is_fan_far_off(fan, &cone) {
             continue;
         }
         let [low, high] = part_in_cone(fan, &cone);
@@ -89,13 +100,23 @@ pub fn deposit_beside(
     }
 }
 
+/// How far directions of the fan are from the middle one, at most: between the nodes a parabola strays
+/// no further than at them.
+#[inline]
+pub fn largest_spread(fan: &Fan) -> f32 {
+    let middle = middle_node(&fan.direction);
+    let to_low = (low_node(&fan.direction) - middle).length_squared();
+    let to_high = (high_node(&fan.direction) - middle).length_squared();
+    LEEWAY * to_low.max(to_high).sqrt()
+}
+
 /// Whether the fan is sure to miss the cone: between the nodes the cosine is no larger than a
 /// parabola's vertex can be.
 #[inline]
 pub fn is_fan_far_off(fan: &Fan, cone: &Cone) -> bool {
     let along = dot_each(&fan.direction, cone.center);
     let bend = 0.5 * (along.x + along.z) - along.y;
-    largest(along) + 0.25 * bend.abs() < cone.cos_radius
+    largest(along) + 0.25 * bend.abs() + FAR_OFF_MARGIN < cone.cos_radius
 }
 
 /// How far, at a position in the fan, its direction is inside of the cone: above 0 inside, and
@@ -128,15 +149,10 @@ pub fn part_in_cone(fan: &Fan, cone: &Cone) -> [f32; 2] {
 /// The position in the fan whose direction is nearest to the middle of the cone.
 #[inline]
 pub fn nearest_approach(fan: &Fan, cone: &Cone) -> f32 {
-    let along = dot_each(&fan.direction, cone.center);
-    let mut position = 0.0;
-    let mut best = along.y;
-    if along.x > best {
-        best = along.x;
-        position = -1.0;
-    }
-    if along.z > best {
-        position = 1.0;
+    let along = parabola_through(dot_each(&fan.direction, cone.center));
+    let mut position = if along.b < 0.0 { -1.0 } else { 1.0 };
+    if along.a < 0.0 {
+        position = (-along.b / along.a).clamp(-1.0, 1.0);
     }
     for _ in 0..APPROACH_STEPS {
         let direction = blend(&fan.direction, basis_at(position));

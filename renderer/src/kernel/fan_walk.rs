@@ -2,8 +2,9 @@
 
 use glam::{Vec3, Vec3A};
 
-use crate::kernel::band::retire_fan;
+use crate::kernel::band::{fan_energy, retire_fan};
 use crate::kernel::fan::{Fan, axis_width, white_fan};
+use crate::kernel::rng;
 use crate::kernel::walk::{Fate, RayStack, TraceRules, Walk};
 use crate::packed::{NONE, PackedScene};
 
@@ -21,32 +22,61 @@ impl RayStack<Fan> {
 /// Puts a fan on the stack, or into the books where it is too weak, too deep or too much.
 #[inline]
 pub fn send_fan(walk: &mut Walk<'_, Fan>, fan: &Fan) {
-    let fate = fate_of_fan(walk.scene, walk.rules, fan, walk.waiting());
-    if fate == Fate::Kept {
-        walk.push(fan);
+    if walk.keeps_all {
+        walk.keep(fan);
         return;
     }
-    let energy = retire_fan(walk, fan);
-    if fate == Fate::TooWeak {
-        walk.tally.pruned += energy;
-    } else {
-        walk.tally.cut_off += energy;
+    let threshold = walk.rules.significance_threshold;
+    let mut sent = *fan;
+    let fate = fate_of_fan(walk, &mut sent, threshold);
+    if fate == Fate::Kept {
+        walk.push(&sent);
     }
 }
 
-/// What becomes of a fan that is sent on while `waiting` others wait.
+/// What becomes of a fan that is sent on; one that is not kept goes into the books.
+///
+/// A fan that carries less energy than `threshold` lives on by chance, and then carries as much more
+/// as others like it lose. What is gained and lost is booked as pruned: in the mean nothing.
 #[inline]
-pub fn fate_of_fan(scene: &PackedScene, rules: &TraceRules, fan: &Fan, waiting: u32) -> Fate {
-    if significance_bound(scene, fan) < rules.significance_threshold {
+pub fn fate_of_fan(walk: &mut Walk<'_, Fan>, fan: &mut Fan, threshold: f32) -> Fate {
+    let mut fate = Fate::Kept;
+    if fan.depth > walk.rules.max_depth {
+        fate = Fate::TooDeep;
+    } else if walk.waiting() == FAN_STACK_LEN as u32 {
+        fate = Fate::TooMany;
+    }
+    if fate != Fate::Kept {
+        let energy = retire_fan(walk, fan);
+        walk.tally.cut_off += energy;
+        return fate;
+    }
+    let chance = energy_bound(walk.scene, fan) / threshold;
+    if chance >= 1.0 {
+        return fate;
+    }
+    if draw_chance(walk) >= chance {
+        let energy = retire_fan(walk, fan);
+        walk.tally.pruned += energy;
         return Fate::TooWeak;
     }
-    if fan.depth > rules.max_depth {
-        return Fate::TooDeep;
-    }
-    if waiting == FAN_STACK_LEN as u32 {
-        return Fate::TooMany;
-    }
-    Fate::Kept
+    let energy = fan_energy(walk.scene, fan);
+    walk.tally.pruned -= energy * (1.0 / chance - 1.0);
+    fan.weight /= chance;
+    fate
+}
+
+/// A number in 0..1 that fills it evenly as the passes go by, shifted by a random word.
+#[inline]
+pub fn draw_chance<R: Copy>(walk: &mut Walk<'_, R>) -> f32 {
+    let seed = walk.next_seed();
+    rng::unit_float(seed.wrapping_add(walk.pass_index.wrapping_mul(rng::WAVELENGTH_STEP)))
+}
+
+/// About the energy of a fan, after the least that its path may have absorbed.
+#[inline]
+pub fn energy_bound(scene: &PackedScene, fan: &Fan) -> f32 {
+    significance_bound(scene, fan) * axis_width(fan)
 }
 
 /// The largest of the fan's weights, after the least that its path may have absorbed.

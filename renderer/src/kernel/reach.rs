@@ -31,10 +31,11 @@ pub fn reach(walk: &mut Walk<'_, Fan>, fan: &Fan, middle: &Ray, hit: &Hit) -> [f
     if !is_dispersed(fan) || !is_worth_dividing(walk.rules, fan) {
         return reached;
     }
-    if is_convex_body(scene, hit.instance) {
+    let is_convex = is_convex_body(scene, hit.instance);
+    if is_convex {
         reached = clip_fan(scene, fan, middle, hit);
     }
-    if !is_unobstructed(scene, middle) {
+    if !is_convex || !is_unobstructed(scene, middle) {
         for end in &mut reached {
             *end = reach_towards(walk, fan, hit, *end);
         }

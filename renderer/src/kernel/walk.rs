@@ -20,13 +20,14 @@ pub struct TraceRules {
     pub observer: Vec3,
     /// K of the paper.
     pub split_count: f32,
-    /// Significance below which a ray is pruned.
+    /// Significance below which a ray is pruned; of fans the energy, in units of the camera ray's,
+    /// below which they live by chance.
     pub significance_threshold: f32,
     /// Interfaces after which a ray is cut off.
     pub max_depth: u32,
     /// 1 where sub-rays take their own directions.
     pub perturb: u32,
-    /// Energy of a fan, in units of the camera ray's, below which it is not divided any more.
+    /// Energy of a fan below which it is not divided any more.
     pub cut_threshold: f32,
 }
 
@@ -104,6 +105,8 @@ pub struct Walk<'a, R = Ray> {
     stack: &'a mut RayStack<R>,
     /// The random word that was used last.
     pub seed: u32,
+    /// Whether all that is sent on waits, whatever the rules say, for who wants to see it.
+    pub keeps_all: bool,
 }
 
 impl<'a, R: Copy> Walk<'a, R> {
@@ -118,7 +121,8 @@ impl<'a, R: Copy> Walk<'a, R> {
         radiance: &'a mut [f32],
     ) -> Self {
         stack.count = 0;
-        Self { scene, rules, pass_index, radiance, tally: Tally::default(), stack, seed }
+        let tally = Tally::default();
+        Self { scene, rules, pass_index, radiance, tally, stack, seed, keeps_all: false }
     }
 
     /// A random word that is the same in every pass at the same place of the walk.
@@ -154,6 +158,15 @@ impl<'a, R: Copy> Walk<'a, R> {
         self.stack.count += 1;
     }
 
+    /// Has a ray wait on a walk that keeps all of them, for which room is made.
+    #[cold]
+    pub fn keep(&mut self, ray: &R) {
+        if self.stack.count == self.stack.rays.len() {
+            self.stack.rays.push(*ray);
+        }
+        self.push(ray);
+    }
+
     /// The energy that a ray still carries at its end, after its path's absorption is booked.
     #[inline]
     pub fn retire(&mut self, ray: &Ray) -> f32 {
@@ -171,6 +184,10 @@ impl Walk<'_> {
         let fate = fate_of(self.scene, self.rules, ray, self.waiting());
         if fate == Fate::Kept {
             self.push(ray);
+            return;
+        }
+        if self.keeps_all {
+            self.keep(ray);
             return;
         }
         let energy = self.retire(ray);

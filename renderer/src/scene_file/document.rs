@@ -13,7 +13,7 @@ use crate::image_file::{self, SCENE_KEYWORD};
 use crate::material::{Dielectric, Dispersion, Material};
 use crate::rigs;
 use crate::scene::{Object, Scene, Shape, Transform};
-use crate::settings::{DisplaySettings, TraceSettings};
+use crate::settings::{DisplaySettings, NoiseGoal, TraceSettings};
 use crate::whole_file;
 
 /// Longest scene file that is read, in bytes.
@@ -33,12 +33,14 @@ pub struct Document {
 }
 
 /// Size and effort of a still.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StillSettings {
     /// Width and height in pixels.
     pub size: [u32; 2],
-    /// Passes.
+    /// Most passes.
     pub passes: u32,
+    /// When it is good enough before that.
+    pub noise: NoiseGoal,
 }
 
 impl StillSettings {
@@ -52,7 +54,7 @@ impl StillSettings {
 
 impl Default for StillSettings {
     fn default() -> Self {
-        Self { size: [1280, 800], passes: 64 }
+        Self { size: [1280, 800], passes: 64, noise: NoiseGoal::default() }
     }
 }
 

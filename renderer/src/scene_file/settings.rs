@@ -7,7 +7,9 @@ use serde::{Deserialize, Deserializer, Serialize};
 use super::StillSettings;
 use super::check::{choose, in_range};
 use super::fault::{Fault, Under};
-use crate::settings::{DisplaySettings, Splitting, ToneCurve, TraceSettings, WhitePoint};
+use crate::settings::{
+    DisplaySettings, NoiseGoal, Splitting, ToneCurve, TraceSettings, WhitePoint,
+};
 
 #[derive(Default, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
@@ -15,6 +17,7 @@ pub(super) struct TraceEntry {
     splitting: Option<String>,
     split_count: Option<f32>,
     significance_threshold: Option<f32>,
+    roulette_threshold: Option<f32>,
     max_depth: Option<u32>,
     perturb: Option<bool>,
     bins: Option<u32>,
@@ -42,6 +45,11 @@ impl TraceEntry {
                 self.significance_threshold.unwrap_or(default.significance_threshold),
                 &TraceSettings::SIGNIFICANCE_THRESHOLD,
             )?,
+            roulette_threshold: in_range(
+                "roulette_threshold",
+                self.roulette_threshold.unwrap_or(default.roulette_threshold),
+                &TraceSettings::ROULETTE_THRESHOLD,
+            )?,
             max_depth: in_range(
                 "max_depth",
                 self.max_depth.unwrap_or(default.max_depth),
@@ -57,6 +65,7 @@ impl TraceEntry {
             splitting,
             split_count,
             significance_threshold,
+            roulette_threshold,
             max_depth,
             perturb,
             bins,
@@ -69,6 +78,7 @@ impl TraceEntry {
             splitting: Some(splitting.to_owned()),
             split_count: Some(*split_count),
             significance_threshold: Some(*significance_threshold),
+            roulette_threshold: Some(*roulette_threshold),
             max_depth: Some(*max_depth),
             perturb: Some(*perturb),
             bins: Some(*bins),
@@ -204,6 +214,8 @@ impl DisplayEntry {
 pub(super) struct StillEntry {
     size: Option<[u32; 2]>,
     passes: Option<u32>,
+    noise_target: Option<f32>,
+    adaptive: Option<bool>,
 }
 
 impl StillEntry {
@@ -221,11 +233,24 @@ impl StillEntry {
             return Err(Fault::at("size", format!("{pixels} pixels are more than {allowed}")));
         }
         let passes = self.passes.unwrap_or(default.passes);
-        Ok(StillSettings { size, passes: in_range("passes", passes, &StillSettings::PASSES)? })
+        let target = self.noise_target.unwrap_or(default.noise.target);
+        Ok(StillSettings {
+            size,
+            passes: in_range("passes", passes, &StillSettings::PASSES)?,
+            noise: NoiseGoal {
+                target: in_range("noise_target", target, &NoiseGoal::TARGET)?,
+                is_adaptive: self.adaptive.unwrap_or(default.noise.is_adaptive),
+            },
+        })
     }
 
     pub(super) fn write(settings: &StillSettings) -> Self {
-        let StillSettings { size, passes } = settings;
-        Self { size: Some(*size), passes: Some(*passes) }
+        let StillSettings { size, passes, noise: NoiseGoal { target, is_adaptive } } = settings;
+        Self {
+            size: Some(*size),
+            passes: Some(*passes),
+            noise_target: Some(*target),
+            adaptive: Some(*is_adaptive),
+        }
     }
 }

@@ -1,6 +1,8 @@
 //! Rounds of several passes, and what they gain on which machine.
 
 use super::Scheduler;
+use crate::film::next_measurement;
+use crate::settings::NoiseGoal;
 use crate::tracer::TracerName;
 
 /// What passes are traced by, which decides what they are guessed to cost and what a round of
@@ -43,16 +45,25 @@ impl From<&TracerName> for Machine {
     }
 }
 
-/// Number of passes to add in one round to a film of `done` passes that wants `limit`, where a pass
-/// takes `pass_seconds`; at least 1.
+/// Number of passes to add in one round to a film of `done` passes that wants `limit` or `noise`,
+/// where a pass takes `pass_seconds`; at least 1.
 ///
 /// Passes that are long to look at come one by one. A round at most doubles the film, so that a new
-/// picture shows its first pass at once and gets better at every look.
-pub(crate) fn round(machine: Machine, pass_seconds: f64, done: u32, limit: u32) -> u32 {
+/// picture shows its first pass at once and gets better at every look. Where pixels are left out it
+/// ends when others might be.
+pub(crate) fn round(
+    machine: Machine,
+    pass_seconds: f64,
+    done: u32,
+    limit: u32,
+    noise: NoiseGoal,
+) -> u32 {
     if pass_seconds > machine.longest_shared_pass() {
         return 1;
     }
-    let most = done.min(limit.saturating_sub(done)).max(1);
+    let wanted =
+        if noise.adapts() { limit.min(next_measurement(done)) } else { limit }.saturating_sub(done);
+    let most = done.min(wanted).max(1);
     // A cost of 0 gives an infinity, which the cast makes the largest number.
     ((Scheduler::ROUND_SECONDS / pass_seconds) as u32).max(2).min(most)
 }
@@ -65,9 +76,12 @@ mod tests {
     fn a_round_is_whole_whatever_a_pass_costs() {
         for machine in [Machine::Processor, Machine::GraphicsCard] {
             for pass_seconds in [0.0, 1e-30, 0.033, 0.1, f64::INFINITY] {
-                assert_eq!(round(machine, pass_seconds, 0, 9), 1);
-                assert!((1..=4).contains(&round(machine, pass_seconds, 5, 9)), "{pass_seconds}");
-                assert_eq!(round(machine, pass_seconds, 9, 9), 1);
+                assert_eq!(round(machine, pass_seconds, 0, 9, NoiseGoal::NONE), 1);
+                assert!(
+                    (1..=4).contains(&round(machine, pass_seconds, 5, 9, NoiseGoal::NONE)),
+                    "{pass_seconds}"
+                );
+                assert_eq!(round(machine, pass_seconds, 9, 9, NoiseGoal::NONE), 1);
             }
         }
     }

@@ -10,9 +10,10 @@ use super::shared::{Exposed, Shared, lock};
 use super::workplace::Fault;
 use super::{Activity, Progress, Reading, RenderRequest};
 use crate::error::RendererError;
+use crate::film::next_measurement;
 use crate::packed::PackedScene;
 use crate::scheduler::{Effort, Scheduler, Work};
-use crate::settings::TraceSettings;
+use crate::settings::{NoiseGoal, TraceSettings};
 use crate::spectrum::Bins;
 use crate::statistics::Statistics;
 use crate::tracer::{Device, Tracer, View};
@@ -79,6 +80,7 @@ impl<T: Tracer> Job<T> {
         scheduler: &mut Scheduler,
         generation: Generation,
     ) -> Result<(), Fault> {
+        self.measure_noise(tracer, scheduler)?;
         while let Some(work) = scheduler.next() {
             let patience = Duration::from_secs_f64(scheduler.patience_seconds());
             let mut exposure = self.exposure_for(work, tracer)?;
@@ -108,14 +110,26 @@ impl<T: Tracer> Job<T> {
             let seconds = started.elapsed().as_secs_f64();
             scheduler.complete(work, seconds);
             exposure.add(work.passes, &statistics, seconds);
-            let is_done = scheduler.next().is_none();
             self.exposure = Some(exposure);
+            self.measure_noise(tracer, scheduler)?;
+            let is_done = scheduler.next().is_none();
             self.publish(shared, tracer, device, is_done)?;
             if shared.to_trace.has_rung() {
                 return Ok(());
             }
         }
         self.publish(shared, tracer, device, true)
+    }
+
+    /// Measures the film's noise where that is due, and tells the scheduler where it is low enough.
+    fn measure_noise(&mut self, tracer: &T, scheduler: &mut Scheduler) -> Result<(), Fault> {
+        let goal = self.request.noise;
+        let Some(exposure) = &mut self.exposure else { return Ok(()) };
+        let noise = exposure.measure_noise(tracer, goal).map_err(Fault::new)?;
+        if noise.is_some_and(|noise| goal.is_reached(noise)) {
+            scheduler.settle();
+        }
+        Ok(())
     }
 
     fn settings(&self, effort: Effort) -> &TraceSettings {
@@ -171,6 +185,8 @@ impl<T: Tracer> Job<T> {
             activity,
             passes,
             pass_limit: self.request.pass_limit,
+            noise: exposure.measured.map(|measured| measured.noise),
+            noise_target: self.request.noise.target,
             size: exposure.size,
             statistics: exposure.statistics,
             tracing_seconds: exposure.seconds,
@@ -201,6 +217,15 @@ fn load<T: Tracer>(tracer: &T, request: &RenderRequest, bins: Bins) -> Result<T:
     })
 }
 
+/// What the noise of a film was, after how many passes.
+#[derive(Clone, Copy)]
+struct MeasuredNoise {
+    /// What pixels were left out by since then.
+    goal: NoiseGoal,
+    passes: u32,
+    noise: f32,
+}
+
 /// A film and what it has cost.
 struct Exposure<F> {
     film: F,
@@ -211,6 +236,7 @@ struct Exposure<F> {
     seconds: f64,
     /// Seconds of the last round.
     round_seconds: f64,
+    measured: Option<MeasuredNoise>,
     /// When, and after how many passes, the film was last handed on.
     published: Option<(Instant, u32)>,
     /// What was watched, by its number, and after how many passes it was last read.
@@ -227,6 +253,7 @@ impl<F> Exposure<F> {
             statistics: Statistics::default(),
             seconds: 0.0,
             round_seconds: 0.0,
+            measured: None,
             published: None,
             read: None,
         }
@@ -237,6 +264,22 @@ impl<F> Exposure<F> {
         self.statistics += *statistics;
         self.seconds += seconds;
         self.round_seconds = seconds;
+    }
+
+    /// The film's noise when it was measured last, which is done where there are enough passes since
+    /// then, or where something else is aimed at.
+    fn measure_noise<T: Tracer<Film = F>>(
+        &mut self,
+        tracer: &T,
+        goal: NoiseGoal,
+    ) -> Result<Option<f32>, RendererError> {
+        let known = self.measured.filter(|measured| measured.goal == goal);
+        let due = next_measurement(known.map_or(0, |measured| measured.passes));
+        if self.passes >= due {
+            let noise = tracer.measure_noise(&mut self.film, goal)?;
+            self.measured = Some(MeasuredNoise { goal, passes: self.passes, noise });
+        }
+        Ok(self.measured.map(|measured| measured.noise))
     }
 
     /// Reads the region that is watched, if any, unless that was done in this state of the film;
@@ -263,8 +306,8 @@ impl<F> Exposure<F> {
         if known.is_none_or(|(_, passes)| passes != self.passes) {
             // A draft is quick, but the round after it may not be.
             let is_quick = self.round_seconds <= QUICK_ROUND_SECONDS && !film.is_draft;
-            let sums = if is_done || is_quick { None } else { tracer.copy_sums(&self.film) };
-            let copy = sums.map(|sums| FilmCopy { sums, state: film });
+            let means = if is_done || is_quick { None } else { tracer.copy_means(&self.film) };
+            let copy = means.map(|means| FilmCopy { means, state: film });
             let old = lock(&shared.watch).keep(copy);
             drop(old);
         }

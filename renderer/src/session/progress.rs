@@ -27,7 +27,7 @@ pub enum Activity {
     Preview,
     /// Passes accumulate at full resolution.
     Accumulating,
-    /// The pass limit is reached.
+    /// All passes are done, or the noise is no more than is wanted.
     Done,
     /// The request could not be traced; see [`Progress::error`].
     Failed,
@@ -42,6 +42,11 @@ pub struct Progress {
     pub passes: u32,
     /// Passes asked for.
     pub pass_limit: u32,
+    /// The film's [noise](crate::film::Film::measure_noise) when it was measured last; none after
+    /// few passes.
+    pub noise: Option<f32>,
+    /// The noise at which the picture is done; 0 where only the passes decide.
+    pub noise_target: f32,
     /// Size of the film that is shown.
     pub size: [u32; 2],
     /// Counts of the film that is shown.
@@ -52,4 +57,11 @@ pub struct Progress {
     pub error: Option<String>,
     /// What traced the film that is shown; none before the first.
     pub tracer: Option<TracerName>,
+}
+
+impl Progress {
+    /// Whether the noise is no more than is wanted.
+    pub fn has_reached_noise_target(&self) -> bool {
+        self.noise_target > 0.0 && self.noise.is_some_and(|noise| noise <= self.noise_target)
+    }
 }

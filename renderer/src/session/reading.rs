@@ -45,17 +45,17 @@ impl Reading {
     }
 }
 
-/// A copy of a film's radiance sums, to be read while the film itself is worked on.
+/// A copy of a film's means, to be read while the film itself is worked on.
 pub(super) struct FilmCopy {
-    pub(super) sums: Vec<f32>,
+    pub(super) means: Vec<f32>,
     pub(super) state: FilmState,
 }
 
 impl FilmCopy {
     /// Reads a region.
     pub(super) fn read(&self, region: Region) -> Reading {
-        let FilmState { size, bins, passes, .. } = self.state;
-        let spectrum = mean_in(&self.sums, size, bins, passes, region.pixels(size));
+        let FilmState { size, bins, .. } = self.state;
+        let spectrum = mean_in(&self.means, |_| 1.0, size, bins, region.pixels(size));
         Reading::new(region, self.state, spectrum)
     }
 }

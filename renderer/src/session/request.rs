@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use crate::camera::Camera;
 use crate::scene::Scene;
-use crate::settings::TraceSettings;
+use crate::settings::{NoiseGoal, TraceSettings};
 use crate::tracer::Backend;
 
 /// Everything that decides the film. Equal requests need no work; a different one restarts, unless
-/// only the number of passes differs.
+/// only the number of passes or the noise that is aimed at differs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RenderRequest {
     /// What is seen.
@@ -21,14 +21,17 @@ pub struct RenderRequest {
     pub trace: TraceSettings,
     /// Passes after which the picture is done.
     pub pass_limit: u32,
+    /// Noise at which it is done before that, and which pixels that leaves out.
+    pub noise: NoiseGoal,
     /// What traces it.
     pub backend: Backend,
 }
 
 impl RenderRequest {
-    /// Whether the two differ at most in how many passes they want: the film carries on.
+    /// Whether the two differ at most in how many passes or how little noise they want: the film
+    /// carries on.
     pub fn makes_same_film(&self, other: &Self) -> bool {
-        let Self { scene: _, camera, size, trace, pass_limit: _, backend } = self;
+        let Self { scene: _, camera, size, trace, pass_limit: _, noise: _, backend } = self;
         *camera == other.camera
             && *size == other.size
             && *trace == other.trace

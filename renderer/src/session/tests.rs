@@ -13,6 +13,7 @@ use super::{Activity, GraphicsFailure, GraphicsState, Progress, Reading, RenderR
 use crate::film::Region;
 use crate::scene::Scene;
 use crate::scene_file::Document;
+use crate::settings::NoiseGoal;
 use crate::tracer::fake::{Call, FakeDevice, REASON};
 use crate::tracer::{Backend, CpuTracer, TracerName};
 
@@ -119,6 +120,7 @@ fn request(backend: Backend) -> RenderRequest {
         size: SIZE,
         trace: document.trace,
         pass_limit: PASSES,
+        noise: NoiseGoal::NONE,
         backend,
     }
 }

@@ -103,6 +103,7 @@ impl<T: Tracer> Workplace<T> {
         } else {
             self.scheduler.restart(request.size, request.pass_limit);
         }
+        self.scheduler.aim_at(request.noise);
         // A bug in the tracer must not leave the window waiting for ever.
         let served = catch_unwind(AssertUnwindSafe(|| {
             let mut job = Job::new(&*self.tracer, request, previous)?;

@@ -3,7 +3,7 @@
 // The ray through a point of pixel (`x`, `y`), row 0 at the top, that moves evenly over the
 // pixel from pass to pass.
 fn camera_ray(x: u32, y: u32, pass_index: u32) -> Ray {
-    let jitter = pixel_sample(pass_index);
+    let jitter = pixel_sample(pixel_seed(x, y), pass_index);
     let across = 2.0 * (f32(x) + jitter.x) / f32(frame.width) - 1.0;
     let upwards = 1.0 - 2.0 * (f32(y) + jitter.y) / f32(frame.height);
     let direction = frame.forward + frame.right * across + frame.up * upwards;

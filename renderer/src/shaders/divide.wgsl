@@ -15,6 +15,7 @@ fn divide_fan(fan: Fan, ray: Ray, hit: Hit) {
     let cos_t_squared = parabola_through(at_nodes);
     let is_reflected = largest(at_nodes) <= 0.0;
     let divides = !is_reflected && least_of(at_nodes) <= 0.0 && is_worth_dividing(fan);
+    // One loop for all cases: compilers write out each call.
     var ends = vec4f(-1.0, 1.0, 1.0, 1.0);
     if divides {
         ends = vec4f(-1.0, crossings(cos_t_squared), 1.0);
@@ -23,7 +24,10 @@ fn divide_fan(fan: Fan, ray: Ray, hit: Hit) {
         if ends[i + 1u] <= ends[i] {
             continue;
         }
-        let part = part_of_fan(fan, ends[i], ends[i + 1u]);
+        var part = fan;
+        if divides {
+            part = part_of_fan(fan, ends[i], ends[i + 1u]);
+        }
         let middle = parabola_at(cos_t_squared, 0.5 * (ends[i] + ends[i + 1u]));
         if is_reflected || (divides && middle <= 0.0) {
             reflect_fan(part, hit, at, vec3f(1.0));
@@ -67,74 +71,75 @@ fn reflect_fan(fan: Fan, hit: Hit, at: Interface, factor: vec3f) {
     send_fan(reflected);
 }
 
-// Sends on the refracted and the reflected part of a fan of which at least one node is refracted.
-//
-// The refracted part is divided where its directions bend too much for three nodes. Then the reflected
-// part's weight at its middle is what makes its energy the rest.
+// Sends on the refracted and the reflected part of a fan of which at least one node is refracted. It is
+// divided where its weights or its directions bend too much for three nodes.
 fn refract_fan(incident: Fan, ray: Ray, hit: Hit, at: Interface) {
-    let fan = drawn_to_critical(incident, at);
-    let crossing = crossing_of(at, fan);
-    let reflectance = reflectances(crossing);
-    let refracted = refracted_fan(fan, ray, hit, at, crossing, reflectance);
-    let divides_by_bins = pays_on_entering(fan, refracted.medium);
-    let divides = is_bent(refracted.direction) && is_worth_dividing(refracted);
-    if !divides && !divides_by_bins {
-        reflect_fan(fan, hit, at, reflectance);
-        send_refracted(refracted);
-        return;
-    }
-    var rest = fan_energy(fan);
+    let drawn = drawn_to_critical(incident, at);
+    let divides_by_bins = pays_on_entering(drawn.fan, medium_beyond(ray, hit));
+    var part = drawn.fan;
     var low = -1.0;
-    var step = 2.0;
-    while low < 1.0 {
-        var high = min(low + step, 1.0);
-        if divides_by_bins {
-            high = min(high, max(end_of_bin(fan, low), low + 1e-3));
-        }
-        let part = part_of_fan(fan, low, high);
+    var high = 1.0;
+    if divides_by_bins {
+        high = end_of_bin(drawn.fan, low);
+        part = part_of_fan(drawn.fan, low, high);
+    }
+    loop {
         let crossing = crossing_of(at, part);
         let reflectance = reflectances(crossing);
         let refracted = refracted_fan(part, ray, hit, at, crossing, reflectance);
-        let is_narrow = axis_width(part) <= NARROW;
-        if !is_narrow && is_bent(refracted.direction) && is_worth_dividing(refracted) {
-            step = 0.5 * (high - low);
-            continue;
+        let is_rough = (drawn.is_elsewhere && is_misjudged(at, part, reflectance))
+            || is_bent(refracted.direction);
+        if is_rough && is_worth_dividing(part) && axis_width(part) > NARROW {
+            high = 0.5 * (low + high);
+        } else {
+            reflect_fan(part, hit, at, reflectance);
+            send_refracted(refracted);
+            if high >= 1.0 {
+                return;
+            }
+            // Next to the critical wavelength parts are narrow; away from it each may be twice as wide.
+            let step = 2.0 * (high - low);
+            low = high;
+            high = min(low + step, 1.0);
+            if divides_by_bins {
+                high = min(high, end_of_bin(drawn.fan, low));
+            }
         }
-        rest -= fan_energy(refracted);
-        send_refracted(refracted);
-        low = high;
-        step *= 2.0;
+        part = part_of_fan(drawn.fan, low, high);
     }
-    reflect_fan(with_energy(fan, reflectance, rest), hit, at, vec3f(1.0));
+}
+
+// Whether between the nodes the parabola through the reflectances puts more energy into the wrong part
+// than is worth telling apart.
+fn is_misjudged(at: Interface, fan: Fan, reflectance: vec3f) -> bool {
+    let between = fan_through(fan, vec3f(-0.5, 0.0, 0.5));
+    let judged = basis_of(vec3f(-0.5, 0.0, 0.5)) * reflectance;
+    let missed = abs(reflectances(crossing_of(at, between)) - judged);
+    return max(missed.x, missed.z) * largest(fan.weight) * axis_width(fan)
+        > frame.rules.cut_threshold;
+}
+
+// A fan that may have been drawn to the critical wavelength.
+struct DrawnFan {
+    fan: Fan,
+    is_elsewhere: bool,
 }
 
 // The fan with its middle node so near to the critical wavelength that the cosine of refraction there
-// is about the mean of those at the ends: it is the root of what is linear along the axis, and with it
-// go reflectance and direction.
-fn drawn_to_critical(fan: Fan, at: Interface) -> Fan {
+// is about the mean of those at the ends, and whether that is elsewhere than it was: the cosine is the
+// root of what is linear along the axis, and with it go reflectance and direction.
+fn drawn_to_critical(fan: Fan, at: Interface) -> DrawnFan {
     let cos_t_squared = crossing_of(at, fan).cos_t_squared;
     let low = max(cos_t_squared.x, 0.0);
     let high = max(cos_t_squared.z, 0.0);
     let difference = high - low;
     if abs(difference) <= DRAWING_CONTRAST * (high + low) {
-        return fan;
+        return DrawnFan(fan, false);
     }
     let mean = 0.5 * (sqrt(low) + sqrt(high));
     let share = (mean * mean - low) / difference;
     let middle = position_of(fan, fan.axis.x + share * axis_width(fan));
-    return fan_through(fan, vec3f(-1.0, middle, 1.0));
-}
-
-// The fan with its weights multiplied by `factor`, but for the middle one, which is such that the
-// fan's energy is `energy`.
-fn with_energy(fan: Fan, factor: vec3f, energy: f32) -> Fan {
-    var adjusted = fan;
-    adjusted.weight = vec3f(0.0, 1.0, 0.0);
-    let per_weight = fan_energy(adjusted);
-    adjusted.weight = fan.weight * factor;
-    let missing = energy - fan_energy(adjusted);
-    adjusted.weight.y = max(adjusted.weight.y + missing / max(per_weight, 1e-12), 0.0);
-    return adjusted;
+    return DrawnFan(fan_through(fan, vec3f(-1.0, middle, 1.0)), true);
 }
 
 // The fan beyond the interface.
@@ -178,14 +183,19 @@ fn send_refracted(refracted: Fan) {
         fan.absorber = absorber_of(fan.medium);
         fan.path_mm = vec3f(0.0);
     }
-    let is_at_lights = fan.medium == NONE && is_single() && is_convex_body(fan.instance);
-    if is_at_lights && fate_of_fan(fan, 0u) == FATE_KEPT {
-        walk.tally.segments += segment_count(fan);
-        walk.tally.depth = max(walk.tally.depth, fan.depth);
-        end_at_lights(fan);
-    } else {
-        send_fan(fan);
+    var threshold = frame.rules.significance_threshold;
+    if can_only_meet_lights(fan) {
+        threshold *= LEAF_SHARE;
     }
+    // It waits even for the lights: compilers write out each call.
+    if fate_of_fan(&fan, threshold) == FATE_KEPT {
+        push_fan(fan);
+    }
+}
+
+// Whether the fan has left the only body of the scene, which is convex.
+fn can_only_meet_lights(fan: Fan) -> bool {
+    return fan.medium == NONE && is_single() && is_convex_body(fan.instance);
 }
 
 // Whether the fan, having run through one coloured material, enters another.
@@ -200,7 +210,8 @@ fn end_of_bin(fan: Fan, position: f32) -> f32 {
     let bin = floor((lambda_nm - LAMBDA_MIN_NM) / frame.bin_width_nm + 1e-3);
     let end = axis_position_of(LAMBDA_MIN_NM + (bin + 1.0) * frame.bin_width_nm);
     if end < fan.axis.z {
-        return position_of(fan, end);
+        // Rounding must not put it where the position is already.
+        return max(position_of(fan, end), position + 1e-3);
     }
     return 1.0;
 }

@@ -66,9 +66,6 @@ fn segment_count(fan: Fan) -> u32 {
 
 // The part of the fan between two positions in it.
 fn part_of_fan(fan: Fan, low: f32, high: f32) -> Fan {
-    if low == -1.0 && high == 1.0 {
-        return fan;
-    }
     return fan_through(fan, vec3f(low, 0.5 * (low + high), high));
 }
 

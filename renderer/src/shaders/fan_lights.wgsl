@@ -13,10 +13,12 @@ fn fan_light(fan: Fan) {
         deposit_band(fan, -1.0, 1.0, sky.backdrop);
         return;
     }
+    let middle = middle_node(fan.direction);
+    let spread = largest_spread(fan);
     for (var i = 0u; i < frame.disc_count; i++) {
         let disc = discs[i];
         let cone = disc_cone(disc);
-        if is_fan_far_off(fan, cone) {
+        if dot(middle, cone.center) + spread < cone.cos_radius || is_fan_far_off(fan, cone) {
             continue;
         }
         let part = part_in_cone(fan, cone);
@@ -65,12 +67,21 @@ fn deposit_beside(fan: Fan, part: vec2f, shadow: vec2f, radiance_row: u32) {
     }
 }
 
+// How far directions of the fan are from the middle one, at most: between the nodes a parabola strays
+// no further than at them.
+fn largest_spread(fan: Fan) -> f32 {
+    let middle = middle_node(fan.direction);
+    let to_low = length_squared(low_node(fan.direction) - middle);
+    let to_high = length_squared(high_node(fan.direction) - middle);
+    return LEEWAY * sqrt(max(to_low, to_high));
+}
+
 // Whether the fan is sure to miss the cone: between the nodes the cosine is no larger than a
 // parabola's vertex can be.
 fn is_fan_far_off(fan: Fan, cone: Cone) -> bool {
     let along = dot_each(fan.direction, cone.center);
     let bend = 0.5 * (along.x + along.z) - along.y;
-    return largest(along) + 0.25 * abs(bend) < cone.cos_radius;
+    return largest(along) + 0.25 * abs(bend) + FAR_OFF_MARGIN < cone.cos_radius;
 }
 
 // How far, at a position in the fan, its direction is inside of the cone: above 0 inside, and
@@ -102,15 +113,10 @@ fn part_in_cone(fan: Fan, cone: Cone) -> vec2f {
 
 // The position in the fan whose direction is nearest to the middle of the cone.
 fn nearest_approach(fan: Fan, cone: Cone) -> f32 {
-    let along = dot_each(fan.direction, cone.center);
-    var position = 0.0;
-    var best = along.y;
-    if along.x > best {
-        best = along.x;
-        position = -1.0;
-    }
-    if along.z > best {
-        position = 1.0;
+    let along = parabola_through(dot_each(fan.direction, cone.center));
+    var position = select(1.0, -1.0, along.b < 0.0);
+    if along.a < 0.0 {
+        position = clamp(-along.b / along.a, -1.0, 1.0);
     }
     for (var i = 0u; i < APPROACH_STEPS; i++) {
         let direction = blend(fan.direction, basis_at(position));

@@ -3,19 +3,22 @@
 // Takes the next fan that waits to the next surface, or to the lights. Only the part about its middle
 // goes there; what meets other surfaces waits again.
 fn follow_fan() {
-    let fan = pop_fan();
+    var fan = pop_fan();
     walk.tally.segments += segment_count(fan);
     walk.tally.depth = max(walk.tally.depth, fan.depth);
     var middle = ray_in_fan(fan, 0.0);
-    let hit = next_surface(&middle);
-    let part = send_rest(fan, reach(fan, middle, hit));
+    var hit = MISS;
+    if !can_only_meet_lights(fan) {
+        hit = next_surface(&middle);
+        fan = send_rest(fan, reach(fan, middle, hit));
+    }
     if is_lost(middle, hit) {
-        walk.tally.lost += retire_fan(part);
+        walk.tally.lost += retire_fan(fan);
     } else if hit.instance == NONE {
-        end_at_lights(part);
+        end_at_lights(fan);
     } else {
         let height = dot(middle.origin + middle.direction * hit.distance, hit.normal);
-        let arrived = arrive(part, hit, height);
+        let arrived = arrive(fan, hit, height);
         if meets_opaque(hit) {
             shade_fan(arrived, hit);
         } else {

@@ -17,31 +17,51 @@ fn push_fan(fan: Fan) {
 
 // Puts a fan on the stack, or into the books where it is too weak, too deep or too much.
 fn send_fan(fan: Fan) {
-    let fate = fate_of_fan(fan, waiting());
-    if fate == FATE_KEPT {
-        push_fan(fan);
-        return;
+    var sent = fan;
+    if fate_of_fan(&sent, frame.rules.significance_threshold) == FATE_KEPT {
+        push_fan(sent);
     }
-    let energy = retire_fan(fan);
+}
+
+// What becomes of a fan that is sent on; one that is not kept goes into the books.
+//
+// A fan that carries less energy than `threshold` lives on by chance, and then carries as much more
+// as others like it lose. What is gained and lost is booked as pruned: in the mean nothing.
+fn fate_of_fan(fan: ptr<function, Fan>, threshold: f32) -> u32 {
+    var fate = FATE_KEPT;
+    if (*fan).depth > frame.rules.max_depth {
+        fate = FATE_TOO_DEEP;
+    } else if waiting() == FAN_STACK_LEN {
+        fate = FATE_TOO_MANY;
+    } else {
+        let chance = energy_bound(*fan) / threshold;
+        if chance >= 1.0 {
+            return fate;
+        }
+        if draw_chance() < chance {
+            walk.tally.pruned -= fan_energy(*fan) * (1.0 / chance - 1.0);
+            (*fan).weight /= chance;
+            return fate;
+        }
+        fate = FATE_TOO_WEAK;
+    }
+    let energy = retire_fan(*fan);
     if fate == FATE_TOO_WEAK {
         walk.tally.pruned += energy;
     } else {
         walk.tally.cut_off += energy;
     }
+    return fate;
 }
 
-// What becomes of a fan that is sent on while `waiting` others wait.
-fn fate_of_fan(fan: Fan, waiting: u32) -> u32 {
-    if significance_bound(fan) < frame.rules.significance_threshold {
-        return FATE_TOO_WEAK;
-    }
-    if fan.depth > frame.rules.max_depth {
-        return FATE_TOO_DEEP;
-    }
-    if waiting == FAN_STACK_LEN {
-        return FATE_TOO_MANY;
-    }
-    return FATE_KEPT;
+// A number in 0..1 that fills it evenly as the passes go by, shifted by a random word.
+fn draw_chance() -> f32 {
+    return unit_float(next_seed() + walk.pass_index * WAVELENGTH_STEP);
+}
+
+// About the energy of a fan, after the least that its path may have absorbed.
+fn energy_bound(fan: Fan) -> f32 {
+    return significance_bound(fan) * axis_width(fan);
 }
 
 // The largest of the fan's weights, after the least that its path may have absorbed.

@@ -87,6 +87,12 @@ pub(crate) const EXPOSE: &[ShaderModule] = modules!["finite", "expose"];
 /// From the film to the sums of a region.
 pub(crate) const REGION: &[ShaderModule] = modules!["finite", "region"];
 
+/// From the film to how bright its pixels are in the mean.
+pub(crate) const ROOTS: &[ShaderModule] = modules!["finite", "brightness", "roots"];
+
+/// From the film to its noise.
+pub(crate) const NOISE: &[ShaderModule] = modules!["finite", "brightness", "noise"];
+
 /// From CIE XYZ to sRGB codes.
 pub(crate) const DEVELOP: &[ShaderModule] =
     modules!["finite", "tone_curve", "gamut", "srgb8", "development"];
@@ -145,7 +151,6 @@ fn kernel_constants() -> String {
         ("FAR", F32(ray::FAR)),
         ("GROUND", U32(ray::GROUND)),
         ("TOUCHING_MM", F32(ray::TOUCHING_MM)),
-        ("PIXEL_STEPS", Vec2U(rng::PIXEL_STEPS)),
         ("LIGHT_STEPS", Vec2U(rng::LIGHT_STEPS)),
         ("WAVELENGTH_STEP", U32(rng::WAVELENGTH_STEP)),
         ("MIDDLE", U32(rng::MIDDLE)),
@@ -173,6 +178,8 @@ fn kernel_constants() -> String {
         ("REACH_BISECTIONS", U32(reach::REACH_BISECTIONS)),
         ("GRAZING", F32(reach::GRAZING)),
         ("DRIFT_MM", F32(reach::DRIFT_MM)),
+        ("LEEWAY", F32(fan_lights::LEEWAY)),
+        ("FAR_OFF_MARGIN", F32(fan_lights::FAR_OFF_MARGIN)),
         ("APPROACH_STEPS", U32(fan_lights::APPROACH_STEPS)),
         ("EDGE_BISECTIONS", U32(fan_lights::EDGE_BISECTIONS)),
         ("WEIGHT_TOLERANCE", F32(fan_matte::WEIGHT_TOLERANCE)),
@@ -181,5 +188,6 @@ fn kernel_constants() -> String {
         ("NARROW", F32(divide::NARROW)),
         ("DIRECTION_TOLERANCE", F32(divide::DIRECTION_TOLERANCE)),
         ("DRAWING_CONTRAST", F32(divide::DRAWING_CONTRAST)),
+        ("LEAF_SHARE", F32(divide::LEAF_SHARE)),
     ])
 }

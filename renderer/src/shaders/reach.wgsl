@@ -7,10 +7,11 @@ fn reach(fan: Fan, middle: Ray, hit: Hit) -> vec2f {
     if !is_dispersed(fan) || !is_worth_dividing(fan) {
         return reached;
     }
-    if is_convex_body(hit.instance) {
+    let is_convex = is_convex_body(hit.instance);
+    if is_convex {
         reached = clip_fan(fan, middle, hit);
     }
-    if !is_unobstructed(middle) {
+    if !is_convex || !is_unobstructed(middle) {
         for (var i = 0u; i < 2u; i++) {
             reached[i] = reach_towards(fan, hit, reached[i]);
         }

@@ -12,15 +12,17 @@ struct RegionRows {
     bin_count: u32,
     // The row of `sums` that the first row's sums are written to.
     first_sum: u32,
-    padding: u32,
+    // Where the buffer's counts begin.
+    first_count: u32,
 }
 
 @group(0) @binding(0) var<uniform> region: RegionRows;
-// Radiance sums as bits, row by row from the top, the bins of a pixel side by side.
+// Sums as bits: radiance row by row from the top, the bins of a pixel side by side; behind those of
+// all rows the counts, `COUNTS_LEN` numbers per pixel.
 @group(0) @binding(1) var<storage, read> film: array<u32>;
 @group(0) @binding(2) var<storage, read_write> sums: array<f32>;
 
-// Adds up one bin of one row of the region. A sum that is not finite counts as none. Columns are
+// Adds up the means of one bin in one row of the region. A sum that is not finite counts as none. Columns are
 // added in groups, so that the rounding grows with the number of groups and not of columns.
 @compute @workgroup_size(WORKGROUP_SIDE, WORKGROUP_SIDE)
 fn sum_row(@builtin(global_invocation_id) at: vec3u) {
@@ -37,7 +39,8 @@ fn sum_row(@builtin(global_invocation_id) at: vec3u) {
         for (var pixel = first + column; pixel < first + end; pixel++) {
             let value = film[pixel * region.bin_count + bin];
             if is_finite(value) {
-                group += bitcast<f32>(value);
+                let samples = bitcast<f32>(film[region.first_count + pixel * COUNTS_LEN + SAMPLES]);
+                group += bitcast<f32>(value) / max(samples, 1.0);
             }
         }
         sum += group;

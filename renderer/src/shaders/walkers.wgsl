@@ -22,6 +22,8 @@ struct Walker {
 // units of 1 / `ENERGY_UNIT`, so that the sum of millions loses nothing.
 struct Account {
     items: atomic<u32>,
+    // Of those, of settled pixels, which are done without a ray.
+    settled_items: atomic<u32>,
     max_segments: atomic<u32>,
     sums: array<atomic<u32>, 2 * SUM_COUNT>,
 }
@@ -35,6 +37,7 @@ struct Progress {
 // What one walker does in one dispatch, in the units of `Account`; sums with the lower word first.
 struct Books {
     items: u32,
+    settled_items: u32,
     max_segments: u32,
     segments: vec2u,
     returned: vec2u,
@@ -45,7 +48,8 @@ struct Books {
 }
 
 // Sums as f32: radiance pixel by pixel, the bins of a pixel side by side; behind those of all pixels
-// the counts, `COUNTS_LEN` numbers per pixel.
+// the counts, `COUNTS_LEN` numbers per pixel; behind those a word per pixel that is 1 where it is
+// settled, which no walker changes.
 @group(2) @binding(0) var<storage, read_write> film: array<atomic<u32>>;
 @group(2) @binding(1) var<storage, read_write> walkers: array<Walker>;
 @group(2) @binding(2) var<storage, read_write> progress: Progress;
@@ -108,15 +112,20 @@ fn suspend(walker: u32) {
     close_books(walker % ACCOUNT_COUNT);
 }
 
-// Takes the next item; false where none is left.
+// Takes the next item; false where none is left. That of a settled pixel is done at once.
 fn begin_item() -> bool {
     let next = atomicAdd(&progress.next_item, 1u);
     if next >= frame.item_count {
         return false;
     }
+    let pixel = next % frame.pixel_count;
+    if is_settled(pixel) {
+        books.items += 1u;
+        books.settled_items += 1u;
+        return true;
+    }
     item = next;
     item_counts = Counts();
-    let pixel = item % frame.pixel_count;
     let x = pixel % frame.width;
     let y = frame.first_row + pixel / frame.width;
     walk.seed = pixel_seed(x, y);
@@ -130,21 +139,32 @@ fn begin_item() -> bool {
     return true;
 }
 
+// Whether passes leave the pixel out.
+fn is_settled(pixel: u32) -> bool {
+    let first_mark = frame.pixel_count * (frame.bin_count + COUNTS_LEN);
+    return atomicLoad(&film[first_mark + pixel]) != 0u;
+}
+
 // Adds the radiance that was found and the counts to the film, and books the item.
 fn complete_item() {
     if item == NONE {
         return;
     }
     let pixel = item % frame.pixel_count;
+    var sum = 0.0;
     for (var bin = 0u; bin < frame.bin_count; bin++) {
         let value = radiance[walk.walker * frame.bin_count + bin];
         add_to_film(pixel * frame.bin_count + bin, value);
+        sum += value;
     }
+    let mean = sum / f32(frame.bin_count);
     book_tally();
     let counts_at = frame.pixel_count * frame.bin_count + pixel * COUNTS_LEN;
     add_to_film(counts_at, f32(item_counts.segments));
     add_to_film(counts_at + 1u, f32(item_counts.depth));
     add_to_film(counts_at + 2u, item_counts.pruned);
+    add_to_film(counts_at + 3u, 1.0);
+    add_to_film(counts_at + 4u, mean * mean);
     books.items += 1u;
     books.max_segments = max(books.max_segments, item_counts.segments);
     item = NONE;
@@ -171,7 +191,7 @@ fn book_tally() {
     item_counts.segments += walk.tally.segments;
     item_counts.depth = max(item_counts.depth, walk.tally.depth);
     item_counts.pruned += walk.tally.pruned;
-    books.segments = plus(books.segments, walk.tally.segments);
+    books.segments = plus(books.segments, vec2u(walk.tally.segments, 0u));
     books.returned = plus(books.returned, energy_units(walk.tally.returned));
     books.absorbed = plus(books.absorbed, energy_units(walk.tally.absorbed));
     books.pruned = plus(books.pruned, energy_units(walk.tally.pruned));
@@ -180,21 +200,24 @@ fn book_tally() {
     walk.tally = Tally();
 }
 
-// An energy as a whole number; rounding may have left it a trifle below 0 or above 1.
-fn energy_units(energy: f32) -> u32 {
-    return u32(clamp(energy, 0.0, 2.0) * ENERGY_UNIT + 0.5);
+// An energy as a whole number of two words, the lower one first; one below 0 in two's complement.
+// Rounding may have left it a trifle above 1.
+fn energy_units(energy: f32) -> vec2u {
+    let units = i32(round(clamp(energy, -1.9, 1.9) * ENERGY_UNIT));
+    return vec2u(bitcast<u32>(units), bitcast<u32>(units >> 31u));
 }
 
-// The sum of a number of two words and one of one word.
-fn plus(sum: vec2u, value: u32) -> vec2u {
-    let low = sum.x + value;
-    return vec2u(low, sum.y + u32(low < value));
+// The sum of two numbers of two words.
+fn plus(a: vec2u, b: vec2u) -> vec2u {
+    let low = a.x + b.x;
+    return vec2u(low, a.y + b.y + u32(low < a.x));
 }
 
 // Enters the books into an account.
 fn close_books(account: u32) {
     if books.items > 0u {
         atomicAdd(&progress.accounts[account].items, books.items);
+        atomicAdd(&progress.accounts[account].settled_items, books.settled_items);
         atomicMax(&progress.accounts[account].max_segments, books.max_segments);
     }
     add_to_sum(account, 0u, books.segments);

@@ -13,7 +13,7 @@ use crate::kernel::ray::Ray;
 use crate::kernel::trace::trace;
 use crate::kernel::walk::{RayStack, Tally, TraceRules, Walk};
 use crate::packed::PackedScene;
-use crate::settings::{Splitting, TraceSettings};
+use crate::settings::{NoiseGoal, Splitting, TraceSettings};
 use crate::spectrum::Bins;
 use crate::statistics::{Ledger, Statistics};
 
@@ -46,8 +46,8 @@ impl CpuTracer {
         self.pool.current_num_threads()
     }
 
-    /// Traces one camera ray per pixel and adds what it finds to `film`. The film's bits depend
-    /// only on the arguments and the number of the pass, not on the threads.
+    /// Traces one camera ray per pixel that is not settled and adds what it finds to `film`. The film's
+    /// bits depend only on the arguments and the number of the pass, not on the threads.
     ///
     /// Returns `None` where `is_cancelled` came true, asked before every pixel; the film is then
     /// of no more use.
@@ -63,12 +63,19 @@ impl CpuTracer {
         let (size, bins) = (film.size(), film.bins().count());
         let pass = Pass { scene, view, rules: &rules, index: pass_index, size, is_cancelled };
         let strips = self.pool.install(|| {
-            let (sums, counts) = film.sums_and_counts_mut();
+            let (sums, counts, settled) = film.parts_mut();
             let strips = sums
                 .par_chunks_mut(STRIP_PIXELS * bins)
                 .zip(counts.par_chunks_mut(STRIP_PIXELS))
+                .zip(settled.par_chunks(STRIP_PIXELS))
                 .enumerate()
-                .map(|(number, (sums, counts))| Strip { number, bins, sums, counts });
+                .map(|(number, ((sums, counts), settled))| Strip {
+                    number,
+                    bins,
+                    sums,
+                    counts,
+                    settled,
+                });
             match settings.splitting {
                 Splitting::Paper => strips
                     .map_init(RayStack::new, |stack, strip| pass.trace_strip(strip, stack, trace))
@@ -105,10 +112,12 @@ struct Strip<'a> {
     bins: usize,
     sums: &'a mut [f32],
     counts: &'a mut [Counts],
+    settled: &'a [bool],
 }
 
 impl Pass<'_> {
-    /// Follows the camera ray of each pixel of a strip; nothing where the pass is cancelled.
+    /// Follows the camera ray of each pixel of a strip that is not settled; nothing where the pass is
+    /// cancelled.
     fn trace_strip<R: Copy>(
         &self,
         strip: Strip<'_>,
@@ -116,18 +125,26 @@ impl Pass<'_> {
         trace: impl Fn(&mut Walk<'_, R>, &Ray),
     ) -> Option<Statistics> {
         let mut statistics = Statistics::default();
-        let pixels = strip.sums.chunks_exact_mut(strip.bins).zip(strip.counts);
-        for (i, (pixel, counts)) in pixels.enumerate() {
+        let mut radiance = vec![0.0; strip.bins];
+        let pixels = strip.sums.chunks_exact_mut(strip.bins).zip(strip.counts).zip(strip.settled);
+        for (i, ((pixel, counts), is_settled)) in pixels.enumerate() {
             if (self.is_cancelled)() {
                 return None;
             }
+            if *is_settled {
+                continue;
+            }
             let number = (strip.number * STRIP_PIXELS + i) as u32;
             let (x, y) = (number % self.size[0], number / self.size[0]);
+            radiance.fill(0.0);
             let seed = pixel_seed(x, y);
-            let mut walk = Walk::new(self.scene, self.rules, self.index, seed, stack, pixel);
+            let mut walk =
+                Walk::new(self.scene, self.rules, self.index, seed, stack, &mut radiance);
             trace(&mut walk, &camera_ray(&self.view.frame, self.size, x, y, self.index));
-            *counts += Counts::from(&walk.tally);
-            statistics += pixel_statistics(&walk.tally);
+            let tally = walk.tally;
+            pixel.iter_mut().zip(&radiance).for_each(|(sum, found)| *sum += found);
+            *counts += Counts::of_sample(&tally, &radiance);
+            statistics += pixel_statistics(&tally);
         }
         Some(statistics)
     }
@@ -182,8 +199,12 @@ impl Tracer for CpuTracer {
         Ok(self.pool.install(|| film.mean_spectrum(rect)))
     }
 
-    fn copy_sums(&self, film: &Film) -> Option<Vec<f32>> {
-        Some(film.sums().to_vec())
+    fn measure_noise(&self, film: &mut Film, goal: NoiseGoal) -> Result<f32, RendererError> {
+        Ok(self.pool.install(|| film.measure_noise(goal)))
+    }
+
+    fn copy_means(&self, film: &Film) -> Option<Vec<f32>> {
+        Some(film.means())
     }
 
     fn read(&self, film: Film) -> Result<Film, RendererError> {

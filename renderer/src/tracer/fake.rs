@@ -8,7 +8,7 @@ use crate::develop::LatentImage;
 use crate::error::RendererError;
 use crate::film::{Film, PixelRect};
 use crate::packed::PackedScene;
-use crate::settings::TraceSettings;
+use crate::settings::{NoiseGoal, TraceSettings};
 use crate::spectrum::Bins;
 use crate::statistics::Statistics;
 
@@ -24,6 +24,7 @@ pub(crate) enum Call {
     Trace,
     Expose,
     Mean,
+    Noise,
     Read,
 }
 
@@ -173,8 +174,13 @@ impl Tracer for FakeTracer {
         self.cpu.mean_spectrum(film, rect)
     }
 
-    fn copy_sums(&self, film: &Film) -> Option<Vec<f32>> {
-        self.cpu.copy_sums(film)
+    fn measure_noise(&self, film: &mut Film, goal: NoiseGoal) -> Result<f32, RendererError> {
+        self.device.call(Call::Noise)?;
+        self.cpu.measure_noise(film, goal)
+    }
+
+    fn copy_means(&self, film: &Film) -> Option<Vec<f32>> {
+        self.cpu.copy_means(film)
     }
 
     fn read(&self, film: Film) -> Result<Film, RendererError> {

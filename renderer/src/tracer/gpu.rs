@@ -22,7 +22,7 @@ use crate::error::RendererError;
 use crate::film::{Film, PixelRect};
 use crate::gpu::Graphics;
 use crate::packed::PackedScene;
-use crate::settings::TraceSettings;
+use crate::settings::{NoiseGoal, TraceSettings};
 use crate::spectrum::Bins;
 use crate::statistics::Statistics;
 
@@ -133,16 +133,19 @@ impl Tracer for GpuTracer {
 
     fn expose(&self, film: &GpuFilm) -> Result<LatentImage, RendererError> {
         let (size, bins) = (film.size(), film.bins());
-        let (light, counts) = self.developer.expose(size, bins, film.passes(), film.bands())?;
+        let (light, counts) = self.developer.expose(size, bins, film.bands())?;
         Ok(LatentImage::Graphics { light, counts })
     }
 
     fn mean_spectrum(&self, film: &GpuFilm, rect: PixelRect) -> Result<Vec<f32>, RendererError> {
-        let (bins, passes) = (film.bins(), film.passes());
-        self.developer.mean_spectrum(film.size(), bins, passes, film.bands(), rect)
+        self.developer.mean_spectrum(film.size(), film.bins(), film.bands(), rect)
     }
 
-    fn copy_sums(&self, _film: &GpuFilm) -> Option<Vec<f32>> {
+    fn measure_noise(&self, film: &mut GpuFilm, goal: NoiseGoal) -> Result<f32, RendererError> {
+        self.developer.measure_noise(film.size(), film.bins(), film.bands(), goal)
+    }
+
+    fn copy_means(&self, _film: &GpuFilm) -> Option<Vec<f32>> {
         None
     }
 

@@ -21,7 +21,7 @@ use crate::error::RendererError;
 use crate::film::{Film, PixelRect};
 use crate::kernel::walk::TraceRules;
 use crate::packed::PackedScene;
-use crate::settings::TraceSettings;
+use crate::settings::{NoiseGoal, Splitting, TraceSettings};
 use crate::spectrum::Bins;
 use crate::statistics::Statistics;
 
@@ -52,7 +52,7 @@ pub trait Tracer {
         used: Option<Self::Film>,
     ) -> Result<Self::Film, RendererError>;
 
-    /// Adds `passes` passes, each of one camera ray per pixel, to `film`.
+    /// Adds `passes` passes to `film`, each of one camera ray per pixel that is not settled.
     ///
     /// # Errors
     /// [`RendererError::Cancelled`] where `is_cancelled` came true, or the device fails; the film
@@ -80,9 +80,15 @@ pub trait Tracer {
     /// The device fails.
     fn mean_spectrum(&self, film: &Self::Film, rect: PixelRect) -> Result<Vec<f32>, RendererError>;
 
-    /// A copy of the film's radiance sums in the processor's memory, to be read while the film is
-    /// traced on. None where the film is elsewhere; passes are short there.
-    fn copy_sums(&self, film: &Self::Film) -> Option<Vec<f32>>;
+    /// The film's noise, as [`Film::measure_noise`] finds it; marks the pixels that later passes
+    /// leave out by `goal`.
+    ///
+    /// # Errors
+    /// The device fails.
+    fn measure_noise(&self, film: &mut Self::Film, goal: NoiseGoal) -> Result<f32, RendererError>;
+
+    /// A copy of the film's means in the processor's memory, to be read while the film is traced on. None where the film is elsewhere; passes are short there.
+    fn copy_means(&self, film: &Self::Film) -> Option<Vec<f32>>;
 
     /// The film in the processor's memory.
     ///
@@ -108,17 +114,17 @@ impl View {
     }
 }
 
-/// The energy below which a fan is not divided, over the significance below which it is pruned.
-const CUT_SHARE: f32 = 0.2;
-
 /// The rules by which the settings want rays followed.
 pub(crate) fn rules(view: &View, settings: &TraceSettings) -> TraceRules {
     TraceRules {
         observer: view.observer,
         split_count: settings.split_count,
-        significance_threshold: settings.significance_threshold,
+        significance_threshold: match settings.splitting {
+            Splitting::Paper => settings.significance_threshold,
+            Splitting::Exact => settings.roulette_threshold,
+        },
         max_depth: settings.max_depth,
         perturb: u32::from(settings.perturb),
-        cut_threshold: CUT_SHARE * settings.significance_threshold,
+        cut_threshold: TraceSettings::CUT_SHARE * settings.roulette_threshold,
     }
 }

@@ -1,7 +1,7 @@
 //! Reproducible numbers: the films of both tracers sample the same points.
 
 use brilliance_renderer::kernel::rng::{
-    hash, light_sample, pixel_sample, unit_float, wavelength_sample,
+    hash, light_sample, pixel_sample, scramble, sobol_second, unit_float, wavelength_sample,
 };
 
 use crate::probe::{Case, EXACT, Probe, Table, World, throw};
@@ -30,10 +30,24 @@ pub(super) fn table() -> Table {
                 tolerance: EXACT,
             },
             Probe {
-                name: "pixel_sample",
-                wgsl: "put_vec2(pixel_sample(take_u32()));",
-                rust: |_, take, put| put.vec2(pixel_sample(take.u32())),
+                name: "scramble",
+                wgsl: "put_u32(scramble(take_u32(), take_u32()));",
+                rust: |_, take, put| put.u32(scramble(take.u32(), take.u32())),
+                cases: |_| words(2),
+                tolerance: EXACT,
+            },
+            Probe {
+                name: "sobol_second",
+                wgsl: "put_u32(sobol_second(take_u32()));",
+                rust: |_, take, put| put.u32(sobol_second(take.u32())),
                 cases: |_| words(1),
+                tolerance: EXACT,
+            },
+            Probe {
+                name: "pixel_sample",
+                wgsl: "put_vec2(pixel_sample(take_u32(), take_u32()));",
+                rust: |_, take, put| put.vec2(pixel_sample(take.u32(), take.u32())),
+                cases: |_| words(2),
                 tolerance: EXACT,
             },
             Probe {

@@ -32,7 +32,8 @@ fn write_totals(out: &mut impl Write, tree: &RayTree) -> io::Result<()> {
     let percent = |energy: f64| ray_words::percent(energy as f32);
     let bins = tree.radiance_per_bin.len().max(1);
     let radiance: f64 = tree.radiance_per_bin.iter().map(|&bin| f64::from(bin)).sum();
-    writeln!(out, "pixel {x},{y} of {width}x{height}, pass {}", tree.pass_index)?;
+    let splitting = ray_words::splitting(tree.splitting);
+    writeln!(out, "pixel {x},{y} of {width}x{height}, pass {}, {splitting}", tree.pass_index)?;
     writeln!(out, "{}: {}", ray_words::rays(counts.total()), ray_words::counts(&counts))?;
     writeln!(
         out,
@@ -60,6 +61,9 @@ fn write_ray(out: &mut impl Write, ray: &RecordedRay) -> io::Result<()> {
         ray.significance,
         indent = 2 * steps,
     )?;
+    if ray.energy_gained > 0.0 {
+        write!(out, " ({:.3e} of its energy gained by chance)", ray.energy_gained)?;
+    }
     if ray.spread_degrees > 0.0 {
         write!(out, ", spread {:.3}°", ray.spread_degrees)?;
     }

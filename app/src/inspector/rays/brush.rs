@@ -73,14 +73,21 @@ fn solid(mesh: &mut Mesh, stripe: &Stripe, direction: Vec2, parts: [f32; 2]) {
     }
 }
 
-/// Adds a fan from `apex` to `rim`, whose points have colours.
-pub(super) fn fan(mesh: &mut Mesh, apex: Pos2, rim: &[(Pos2, Color32)]) {
-    for pair in rim.windows(2) {
-        let first = mesh.vertices.len() as u32;
-        for (pos, color) in [(apex, pair[0].1), pair[0], pair[1]] {
-            mesh.vertices.push(Vertex { pos, uv: WHITE_UV, color: light(color) });
+/// A line of a fan: its two ends and its colour.
+pub(super) type Rib = ([Pos2; 2], Color32);
+
+/// Adds a fan between lines that follow each other.
+pub(super) fn fan(mesh: &mut Mesh, ribs: &[Rib]) {
+    let first = mesh.vertices.len() as u32;
+    for (ends, color) in ribs {
+        for pos in *ends {
+            mesh.vertices.push(Vertex { pos, uv: WHITE_UV, color: light(*color) });
         }
-        mesh.add_triangle(first, first + 1, first + 2);
+    }
+    for rib in 1..ribs.len() as u32 {
+        let i = first + 2 * rib;
+        mesh.add_triangle(i - 2, i - 1, i);
+        mesh.add_triangle(i - 1, i + 1, i);
     }
 }
 

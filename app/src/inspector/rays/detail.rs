@@ -56,12 +56,22 @@ fn figures_ui(ui: &mut Ui, ray: &RecordedRay) {
             ui.label(RichText::new(value).small());
             ui.end_row();
         };
-        row("Interval", format!("{:.2}\u{2013}{:.2} nm", ray.lambda_low_nm, ray.lambda_high_nm));
+        row(
+            "Interval",
+            format!(
+                "{:.2}\u{2013}{:.2} nm, middle ray {:.2} nm",
+                ray.lambda_low_nm, ray.lambda_high_nm, ray.central_nm
+            ),
+        );
         row("Spread", format!("{:.4}\u{b0}", ray.spread_degrees));
         if let Some(path_mm) = ray.path_mm {
             row("Length", format!("{path_mm:.3} mm"));
         }
         row("Significance", number(ray.significance));
+        if ray.energy_gained > 0.0 {
+            let factor = ray.energy / (ray.energy - ray.energy_gained).max(f32::MIN_POSITIVE);
+            row("By chance", format!("lives, and carries {factor:.2} times its light"));
+        }
         if let RayEnd::Interface(event) = &ray.end {
             row("Interface", ray_words::interface(event));
         } else {

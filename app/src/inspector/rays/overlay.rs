@@ -3,9 +3,9 @@
 use brilliance_renderer::inspect::{RayEnd, RecordedRay};
 use eframe::egui::epaint::Mesh;
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, vec2};
-use glam::Vec3;
 
 use super::brush::{self, Stripe, faded};
+use super::fan_shape::FanShape;
 use super::palette;
 use super::projection::{Projection, ScreenLine};
 use super::table::title_of;
@@ -158,27 +158,25 @@ impl Drawing<'_> {
 
     /// The directions of all wavelengths of the ray, where they can be told apart.
     fn add_fan(&self, mesh: &mut Mesh, ray: &RecordedRay, strength: f32) {
-        let length_mm = self.traced.length_mm(ray);
-        let at = |u: f32| ray.origin_mm + (ray.direction + ray.spread * u) * length_mm;
-        let on_screen = |point: Vec3| self.projection.point(point);
-        let (Some(apex), Some(low), Some(high)) =
-            (on_screen(ray.origin_mm), on_screen(at(-1.0)), on_screen(at(1.0)))
-        else {
-            return;
+        let fan = FanShape::new(ray, self.traced.length_mm(ray));
+        let on_screen = |position: f32| {
+            let [start, end] = fan.ray_at(position);
+            Some([self.projection.point(start)?, self.projection.point(end)?])
         };
-        if low.distance(high) < 1.0 {
+        let (Some(low), Some(high)) = (on_screen(-1.0), on_screen(1.0)) else { return };
+        if low[0].distance(high[0]).max(low[1].distance(high[1])) < 1.0 {
             return;
         }
         let width_nm = ray.lambda_high_nm - ray.lambda_low_nm;
         let slices = (width_nm / SLICE_NM).ceil().clamp(1.0, 32.0) as u32;
-        let rim: Vec<_> = (0..=slices)
+        let ribs: Vec<_> = (0..=slices)
             .filter_map(|i| {
-                let part = i as f32 / slices as f32;
-                let color = palette::color_at(ray.lambda_low_nm + part * width_nm);
-                Some((on_screen(at(2.0 * part - 1.0))?, faded(color, strength)))
+                let position = 2.0 * i as f32 / slices as f32 - 1.0;
+                let color = palette::color_at(fan.lambda_nm_at(position));
+                Some((on_screen(position)?, faded(color, strength)))
             })
             .collect();
-        brush::fan(mesh, apex, &rim);
+        brush::fan(mesh, &ribs);
     }
 
     /// Marks lamps, and tells what ends the ray that is looked at.

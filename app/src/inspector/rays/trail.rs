@@ -20,7 +20,7 @@ impl Trail {
         let step = |ray: &RecordedRay| Step {
             kind: ray.kind,
             from: ray.from.clone(),
-            central_nm: ray.central_nm(),
+            central_nm: ray.central_nm,
         };
         let mut steps: Vec<_> = tree.path_to_camera(id).map(step).collect();
         steps.reverse();
@@ -32,7 +32,7 @@ impl Trail {
     pub(super) fn follow(&self, tree: &RayTree) -> u32 {
         let mut reached = 0;
         for step in self.0.iter().skip(1) {
-            let distance_nm = |ray: &RecordedRay| (ray.central_nm() - step.central_nm).abs();
+            let distance_nm = |ray: &RecordedRay| (ray.central_nm - step.central_nm).abs();
             // What came of a ray stands behind it.
             let next = tree.rays[reached as usize..]
                 .iter()

@@ -40,7 +40,7 @@ impl GpuCountImage {
                 BindingResource::TextureView(&counted),
                 BindingResource::TextureView(&written),
             ];
-            developer.submit(device, &developer.heat, [(size, resources)]);
+            developer.submit(device, &developer.pipelines.heat, [(size, resources)]);
             developed
         })
     }
@@ -54,7 +54,7 @@ impl GpuCountImage {
         let texels = texels.chunks_exact(size_of::<[f32; 4]>());
         let means = texels.map(|texel| {
             let [rays, depth, pruned, _]: [f32; 4] = bytemuck::pod_read_unaligned(texel);
-            Counts { rays, depth, pruned }
+            Counts { rays, depth, pruned, ..Counts::default() }
         });
         Ok(CountImage {
             size: [self.texture.width(), self.texture.height()],

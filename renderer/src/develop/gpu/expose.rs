@@ -15,7 +15,8 @@ pub struct Band {
     /// Number of rows.
     pub rows: u32,
     /// Sums as f32: radiance row by row, the bins of a pixel side by side, and behind those of all
-    /// rows the [`Counts`](crate::film::Counts) of each pixel. Its usage has `STORAGE`.
+    /// rows the [`Counts`](crate::film::Counts) of each pixel; behind those, where it is traced on,
+    /// a word per pixel that is 1 where the pixel is settled. Its usage has `STORAGE`.
     pub buffer: wgpu::Buffer,
 }
 
@@ -29,13 +30,11 @@ struct Rows {
     first_row: u32,
     row_count: u32,
     bin_count: u32,
-    /// Passes in the film, at least 1.
-    passes: u32,
 }
 
 impl GpuDeveloper {
-    /// Integrates the mean over the passes of a film of `size` pixels in `bands`, and takes that of
-    /// its counts. A pixel that holds a NaN or an infinity is black.
+    /// Integrates the means over the camera rays of the pixels of a film of `size` pixels in `bands`,
+    /// and takes those of their counts. A pixel that holds a NaN or an infinity is black.
     ///
     /// # Errors
     /// The image is larger than the device's textures, or the device fails.
@@ -43,7 +42,6 @@ impl GpuDeveloper {
         &self,
         size: [u32; 2],
         bins: Bins,
-        passes: u32,
         bands: &[Band],
     ) -> Result<(GpuXyzImage, GpuCountImage), RendererError> {
         self.check_size(size)?;
@@ -52,7 +50,7 @@ impl GpuDeveloper {
             let [exposed, counted] = textures
                 .each_ref()
                 .map(|texture| texture.create_view(&wgpu::TextureViewDescriptor::default()));
-            let weights = weights(bins, passes);
+            let weights = weights(bins);
             let weights =
                 self.buffer(device, BufferUsages::STORAGE, bytemuck::cast_slice(&weights));
             let rows = bands.iter().map(|band| {
@@ -61,7 +59,6 @@ impl GpuDeveloper {
                     first_row: band.first_row,
                     row_count: band.rows,
                     bin_count: bins.count() as u32,
-                    passes: passes.max(1),
                 };
                 self.buffer(device, BufferUsages::UNIFORM, bytemuck::bytes_of(&rows))
             });
@@ -76,7 +73,7 @@ impl GpuDeveloper {
                 ];
                 ([size[0], band.rows], resources)
             });
-            self.submit(device, &self.expose, runs);
+            self.submit(device, &self.pipelines.expose, runs);
             textures
         })?;
         let counts = GpuCountImage::new(self.clone(), counted);
@@ -97,12 +94,10 @@ impl GpuDeveloper {
     }
 }
 
-/// What radiance 1 in each bin adds to X, Y and Z of the mean over the passes. The shader reads
-/// three of four.
-fn weights(bins: Bins, passes: u32) -> Vec<[f32; 4]> {
-    let scale = 1.0 / f64::from(passes.max(1));
+/// What radiance 1 in each bin adds to X, Y and Z. The shader reads three of four.
+fn weights(bins: Bins) -> Vec<[f32; 4]> {
     let weights = Observer::bin_weights(bins).into_iter();
-    weights.map(|weight| (weight * scale).as_vec3().extend(0.0).to_array()).collect()
+    weights.map(|weight| weight.as_vec3().extend(0.0).to_array()).collect()
 }
 
 #[cfg(test)]
@@ -115,6 +110,6 @@ mod tests {
     #[test]
     fn the_shader_reads_rows_as_they_are_written() {
         let module = parse(&source(EXPOSE));
-        assert_twins!(&module, Rows { width, first_row, row_count, bin_count, passes });
+        assert_twins!(&module, Rows { width, first_row, row_count, bin_count });
     }
 }

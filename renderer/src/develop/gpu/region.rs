@@ -5,7 +5,7 @@ use wgpu::BufferUsages;
 
 use super::{Band, GpuDeveloper};
 use crate::error::RendererError;
-use crate::film::{PixelRect, mean_of_sums};
+use crate::film::{PixelRect, mean_of_pixels};
 use crate::spectrum::Bins;
 
 /// Columns that are added up before their sum is added to that of the row.
@@ -25,7 +25,8 @@ struct RegionRows {
     bin_count: u32,
     /// The row of the sums that the first row's sums are written to.
     first_sum: u32,
-    padding: u32,
+    /// Where the band's counts begin, in words.
+    first_count: u32,
 }
 
 impl RegionRows {
@@ -42,7 +43,7 @@ impl RegionRows {
             row_count: end - first,
             bin_count: bins.count() as u32,
             first_sum: first - rect.min[1],
-            padding: 0,
+            first_count: width * band.rows * bins.count() as u32,
         })
     }
 }
@@ -51,7 +52,7 @@ impl GpuDeveloper {
     /// Mean spectral radiance of the pixels of `rect` that lie in a film of `size` pixels in
     /// `bands`, one value per bin; 0 where none does. A sum that is not finite counts as none.
     ///
-    /// The device adds up rows; only their sums are read back.
+    /// The device adds up rows of pixels' means; only those sums are read back.
     ///
     /// # Errors
     /// The device fails.
@@ -59,7 +60,6 @@ impl GpuDeveloper {
         &self,
         size: [u32; 2],
         bins: Bins,
-        passes: u32,
         bands: &[Band],
         rect: PixelRect,
     ) -> Result<Vec<f32>, RendererError> {
@@ -83,13 +83,13 @@ impl GpuDeveloper {
                 let resources = [uniform, &band.buffer, &sums].map(wgpu::Buffer::as_entire_binding);
                 ([rows.bin_count, rows.row_count], resources.to_vec())
             });
-            self.submit(device, &self.sum_rows, runs);
+            self.submit(device, &self.pipelines.sum_rows, runs);
             sums
         })?;
         let bytes = self.graphics.read_buffer(&sums)?;
         let sums = bytes.chunks_exact(size_of::<f32>());
         let sums = sums.map(|sum| f64::from(bytemuck::pod_read_unaligned::<f32>(sum)));
-        Ok(mean_of_sums(sums, bins, rect.count(), passes))
+        Ok(mean_of_pixels(sums, bins, rect.count()))
     }
 }
 
@@ -113,7 +113,7 @@ mod tests {
                 row_count,
                 bin_count,
                 first_sum,
-                padding,
+                first_count,
             }
         );
     }

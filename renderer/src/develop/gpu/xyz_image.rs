@@ -48,7 +48,7 @@ impl GpuXyzImage {
                 BindingResource::TextureView(&exposed),
                 BindingResource::TextureView(&written),
             ];
-            developer.submit(device, &developer.develop, [(self.size(), resources)]);
+            developer.submit(device, &developer.pipelines.develop, [(self.size(), resources)]);
             developed
         })
     }

@@ -184,7 +184,7 @@ mod tests {
                 padding,
             }
         );
-        assert_twins!(module, Account { items, max_segments, sums });
+        assert_twins!(module, Account { items, settled_items, max_segments, sums });
         assert_twins!(module, Progress { next_item, accounts });
         assert_eq!(layout_of(module, "Walker").0 as u64, WALKER_BYTES);
         assert_eq!(layout_of(module, "Ray").0 as u64, RAY_BYTES);

@@ -17,9 +17,11 @@ pub(super) const ENERGY_UNIT: f32 = (1 << 30) as f32;
 pub(super) struct Account {
     /// Items done.
     pub(super) items: u32,
+    /// Of those, of settled pixels, which are done without a ray.
+    pub(super) settled_items: u32,
     /// Most segments of one item.
     pub(super) max_segments: u32,
-    /// Two words each, the lower one first.
+    /// Two words each, the lower one first; those of energies have a sign.
     pub(super) sums: [u32; 2 * SUM_COUNT],
 }
 
@@ -40,19 +42,21 @@ impl Progress {
 
     /// The accounts taken together; complete where all items that were begun are done.
     pub(super) fn statistics(&self) -> Statistics {
-        let sum = |number: usize| -> u64 {
+        let sum = |number: usize| -> i64 {
             let words = |account: &Account| [0, 1].map(|word| account.sums[2 * number + word]);
             let sums = self.accounts.iter().map(words);
-            sums.map(|[low, high]| u64::from(high) << 32 | u64::from(low)).sum()
+            sums.map(|[low, high]| (u64::from(high) << 32 | u64::from(low)).cast_signed()).sum()
         };
         let energy = |number: usize| sum(number) as f64 / f64::from(ENERGY_UNIT);
+        let settled = self.accounts.iter().map(|account| u64::from(account.settled_items));
+        let camera_rays = self.items() - settled.sum::<u64>();
         let max_segments = self.accounts.iter().map(|account| account.max_segments).max();
         Statistics {
-            camera_rays: self.items(),
-            segments: sum(0),
+            camera_rays,
+            segments: sum(0).cast_unsigned(),
             max_segments_per_camera_ray: max_segments.unwrap_or(0),
             ledger: Ledger {
-                entered: self.items() as f64,
+                entered: camera_rays as f64,
                 returned: energy(1),
                 absorbed: energy(2),
                 pruned: energy(3),
