@@ -20,11 +20,21 @@ const RUST_ONLY: &[Singles] = &[
         &["new_wide_points", "outside", "narrow", "with_simd"],
         "the processor tests as many planes at a time as it can, a shader one after the other",
     ),
+    (
+        "band",
+        &["of", "of_bins", "whole_bins"],
+        "the processor sums up many bins at a time, a shader one after the other",
+    ),
+    ("axis", &["all_axis_moments"], "the same"),
     ("fan_trace", &["trace_fans"], "walkers follow fans from one dispatch to the next"),
     ("fan_walk", &["of_fans"], "a walker's state lies in buffers"),
-    ("packed", &["new_packed_scene"], "scenes are packed by the processor"),
+    (
+        "packed",
+        &["new_packed_scene", "spectrum_row"],
+        "the processor packs, and has rows as slices",
+    ),
     ("trace", &["trace"], "walkers follow rays from one dispatch to the next"),
-    ("walk", &["new_ray_stack", "default", "new_walk"], "a walker's state lies in buffers"),
+    ("walk", &["new_ray_stack", "default", "new_walk", "keep"], "a walker's state lies in buffers"),
 ];
 
 const WGSL_ONLY: &[Singles] = &[

@@ -47,7 +47,9 @@ impl Dice {
         let [low, middle, high] = [bend - spread, Vec3::ZERO, bend + spread]
             .map(|apart| (direction + apart).normalize_or_zero());
         let [low_origin, high_origin] = [-2.0, 3.0].map(|along| origin + spread * along);
-        let [a, b] = self.part().map(|position| 0.5 + 0.5 * position);
+        let [low_end, high_end] = self.part().map(|position| 0.5 + 0.5 * position);
+        // The middle node may have been drawn to either end.
+        let drawn = self.pick(&[0.5, 0.5, 0.3, 0.7]);
         let strong = self.magnitude(1e-4, 1.0);
         let weight = Vec3A::new(strong, self.between(0.0, 1.0), self.pick(&[0.0, strong]));
         Fan {
@@ -55,8 +57,7 @@ impl Dice {
             direction: nodes_of(low, middle, high),
             weight,
             path_mm: self.each(0.0, 5.0),
-            low: a,
-            high: b,
+            axis: Vec3A::new(low_end, low_end + (high_end - low_end) * drawn, high_end),
             depth: self.pick(&[0, 1, 5]),
             ..white_fan(origin, direction)
         }

@@ -30,9 +30,8 @@ impl Case {
         self.nodes(&fan.origin)
             .nodes(&fan.direction)
             .each(fan.weight)
-            .f32(fan.low)
             .each(fan.path_mm)
-            .f32(fan.high)
+            .each(fan.axis)
             .u32(fan.instance)
             .u32(fan.facet)
             .u32(fan.medium)
@@ -61,9 +60,8 @@ impl Take<'_> {
             origin: self.nodes(),
             direction: self.nodes(),
             weight: self.each(),
-            low: self.f32(),
             path_mm: self.each(),
-            high: self.f32(),
+            axis: self.each(),
             instance: self.u32(),
             facet: self.u32(),
             medium: self.u32(),
@@ -96,9 +94,8 @@ impl Put {
         self.nodes(&fan.origin);
         self.nodes(&fan.direction);
         self.each(fan.weight);
-        self.f32(fan.low);
         self.each(fan.path_mm);
-        self.f32(fan.high);
+        self.each(fan.axis);
         for word in [fan.instance, fan.facet, fan.medium, fan.enclosing, fan.depth, fan.absorber] {
             self.u32(word);
         }

@@ -118,9 +118,8 @@ fn take_fan() -> Fan {
     fan.origin = take_nodes();
     fan.direction = take_nodes();
     fan.weight = take_vec3();
-    fan.low = take_f32();
     fan.path_mm = take_vec3();
-    fan.high = take_f32();
+    fan.axis = take_vec3();
     fan.instance = take_u32();
     fan.facet = take_u32();
     fan.medium = take_u32();
@@ -238,9 +237,8 @@ fn put_fan(fan: Fan) {
     put_nodes(fan.origin);
     put_nodes(fan.direction);
     put_vec3(fan.weight);
-    put_f32(fan.low);
     put_vec3(fan.path_mm);
-    put_f32(fan.high);
+    put_vec3(fan.axis);
     put_u32(fan.instance);
     put_u32(fan.facet);
     put_u32(fan.medium);

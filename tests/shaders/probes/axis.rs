@@ -1,7 +1,7 @@
 //! The tables of the dispersion axis.
 
 use brilliance_renderer::kernel::axis::{
-    axis_moments, axis_position_of, indices_at, table_at, wavelength_at,
+    axis_moments, axis_position_of, indices_at, table_at, wavelength_at, wavelength_slope_at,
 };
 use brilliance_renderer::packed::{AXIS_LEN, INDEX_TABLE_LEN};
 
@@ -37,6 +37,14 @@ pub(super) fn table() -> Table {
                 rust: |world, take, put| put.f32(wavelength_at(&world.scene, take.f32())),
                 cases: |_| throw(400, |dice| Case::new().f32(place(dice))),
                 tolerance: ROUNDING,
+            },
+            Probe {
+                name: "wavelength_slope_at",
+                wgsl: "put_f32(wavelength_slope_at(take_f32()));",
+                rust: |world, take, put| put.f32(wavelength_slope_at(&world.scene, take.f32())),
+                cases: |_| throw(400, |dice| Case::new().f32(place(dice))),
+                // Between two numbers of the table rounding decides which it is.
+                tolerance: ROUNDING.or(1e-4).but(0.01),
             },
             Probe {
                 name: "axis_position_of",

@@ -2,7 +2,7 @@
 
 use brilliance_renderer::kernel::band::{
     axis_position_of_bins, band_of, bin_part, bin_weight, deposit_band, fan_energy,
-    fan_transmittance, retire_fan,
+    fan_transmittance, retire_fan, wavelengths_per_position,
 };
 use brilliance_renderer::kernel::fan::Fan;
 use brilliance_renderer::packed::NONE;
@@ -37,8 +37,8 @@ fn bands() -> Vec<Probe> {
     put_f32(band.range.high);
     put_u32(band.range.first);
     put_u32(band.range.last);
-    put_f32(band.middle);
-    put_f32(band.per_half_width);
+    put_vec2(band.ends);
+    put_parabola(band.axis);
     put_parabola(band.weight);
     put_parabola(band.path_mm);",
             rust: |world, take, put| {
@@ -47,8 +47,8 @@ fn bands() -> Vec<Probe> {
                 put.f32(band.range.high);
                 put.u32(band.range.first);
                 put.u32(band.range.last);
-                put.f32(band.middle);
-                put.f32(band.per_half_width);
+                put.vec2(band.ends);
+                put.parabola(&band.axis);
                 put.parabola(&band.weight);
                 put.parabola(&band.path_mm);
             },
@@ -69,6 +69,17 @@ fn bands() -> Vec<Probe> {
                 put.f32(part.overlap);
                 put.f32(part.position);
                 put.f32(part.position_squared);
+            },
+            cases: |world| fans_and_parts(world, &Case::new()),
+            tolerance: PART,
+        },
+        Probe {
+            name: "wavelengths_per_position",
+            wgsl: "let band = band_of(take_fan(), take_f32(), take_f32());
+    put_f32(wavelengths_per_position(band, band.ends.y));",
+            rust: |world, take, put| {
+                let band = band_of(&world.scene, &take.fan(), take.f32(), take.f32());
+                put.f32(wavelengths_per_position(&world.scene, &band, band.ends[1]));
             },
             cases: |world| fans_and_parts(world, &Case::new()),
             tolerance: PART,

@@ -1,8 +1,9 @@
 //! What becomes of fans at interfaces.
 
 use brilliance_renderer::kernel::divide::{
-    Crossing, crossing_of, divide_fan, end_of_bin, is_bent, pays_on_entering, reflect_fan,
-    reflectances, refract_fan, refracted_fan, send_refracted, with_energy,
+    Crossing, can_only_meet_lights, crossing_of, divide_fan, drawn_to_critical, end_of_bin,
+    is_bent, is_misjudged, pays_on_entering, reflect_fan, reflectances, refract_fan, refracted_fan,
+    send_refracted,
 };
 use brilliance_renderer::kernel::fan::Fan;
 use brilliance_renderer::kernel::fork::interface_at;
@@ -29,7 +30,7 @@ const CRITICAL: Tolerance = Tolerance::relative(1e-4).or(1e-3);
 const DIVISION: Tolerance = Tolerance::relative(1e-3).or(1e-4).but(0.03);
 
 pub(super) fn table() -> Table {
-    let probes = [crossings(), parts(), energies(), whole()];
+    let probes = [crossings(), parts(), narrower_fans(), whole()];
     Table {
         worlds: vec![World::full(), World::curt(), World::single()],
         probes: probes.into_iter().flatten().collect(),
@@ -160,24 +161,40 @@ fn parts() -> Vec<Probe> {
     ]
 }
 
-fn energies() -> Vec<Probe> {
+fn narrower_fans() -> Vec<Probe> {
     vec![
         Probe {
-            name: "with_energy",
-            wgsl: "put_fan(with_energy(take_fan(), take_vec3(), take_f32()));",
+            name: "is_misjudged",
+            wgsl: "let fan = take_fan();
+    let at = interface_at(take_ray(), take_hit());
+    put_bool(is_misjudged(at, fan, reflectances(crossing_of(at, fan))));",
             rust: |world, take, put| {
-                let (fan, factor) = (take.fan(), take.each());
-                put.fan(&with_energy(&world.scene, &fan, factor, take.f32()));
+                let fan = take.fan();
+                let at = interface_at(&world.scene, &take.ray(), &take.hit());
+                let reflectance = reflectances(&crossing_of(&world.scene, &at, &fan));
+                put.bool(
+                    world.begin_fan_walk(0, 0, |walk| is_misjudged(walk, &at, &fan, reflectance)),
+                );
             },
-            cases: |_| {
-                throw(400, |dice| {
-                    let fan = Fan { low: 0.2, high: 0.2 + dice.magnitude(1e-3, 0.8), ..dice.fan() };
-                    let energy = dice.between(0.0, 1.0) * (fan.high - fan.low);
-                    Case::new().fan(&fan).each(dice.each(0.0, 1.0)).f32(energy)
-                })
+            cases: |world| arrivals(world, &Case::new()),
+            // Where rounding decides.
+            tolerance: EXACT.but(0.02),
+        },
+        Probe {
+            name: "drawn_to_critical",
+            wgsl: "let fan = take_fan();
+    let drawn = drawn_to_critical(fan, interface_at(take_ray(), take_hit()));
+    put_fan(drawn.fan);
+    put_bool(drawn.is_elsewhere);",
+            rust: |world, take, put| {
+                let fan = take.fan();
+                let at = interface_at(&world.scene, &take.ray(), &take.hit());
+                let (drawn, is_elsewhere) = drawn_to_critical(&world.scene, &fan, &at);
+                put.fan(&drawn);
+                put.bool(is_elsewhere);
             },
-            // A weight is divided by the width of the fan.
-            tolerance: Tolerance::relative(1e-3).or(1e-4).but(0.01),
+            cases: |world| arrivals(world, &Case::new()),
+            tolerance: CRITICAL.but(0.02),
         },
         Probe {
             name: "end_of_bin",
@@ -185,7 +202,7 @@ fn energies() -> Vec<Probe> {
             rust: |world, take, put| put.f32(end_of_bin(&world.scene, &take.fan(), take.f32())),
             cases: |_| {
                 throw(600, |dice| {
-                    let fan = Fan { low: 0.1, high: 0.1 + dice.magnitude(1e-2, 0.9), ..dice.fan() };
+                    let fan = wide_fan(dice);
                     Case::new().fan(&fan).f32(dice.position())
                 })
             },
@@ -204,14 +221,13 @@ fn whole() -> Vec<Probe> {
     let ray = take_ray();
     let hit = take_hit();
     let at = interface_at(ray, hit);
-    refract_fan(fan, ray, hit, at, crossing_of(at, fan));
+    refract_fan(fan, ray, hit, at);
     put_fan_walk();",
             rust: |world, take, put| {
                 world.fan_walk(take, put, |walk, take, _| {
                     let (fan, ray, hit) = (take.fan(), take.ray(), take.hit());
                     let at = interface_at(walk.scene, &ray, &hit);
-                    let crossing = crossing_of(walk.scene, &at, &fan);
-                    refract_fan(walk, &fan, &ray, &hit, &at, &crossing);
+                    refract_fan(walk, &fan, &ray, &hit, &at);
                 });
             },
             cases: |world| {
@@ -283,6 +299,13 @@ fn fans_in_colour(world: &World) -> Vec<Fan> {
         Fan { medium: dice.pick(&[medium, medium, NONE]), absorber, ..dice.fan() }
     };
     (0..400).map(|_| fan()).collect()
+}
+
+/// At least a hundredth of the axis wide.
+fn wide_fan(dice: &mut Dice) -> Fan {
+    let (low, width) = (dice.between(0.0, 0.1), dice.magnitude(1e-2, 0.9));
+    let drawn = dice.pick(&[0.5, 0.3, 0.7]);
+    Fan { axis: Vec3A::new(low, low + drawn * width, low + width), ..dice.fan() }
 }
 
 /// Both sides of the critical angle, normal and grazing incidence.

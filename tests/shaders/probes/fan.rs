@@ -1,8 +1,8 @@
 //! Fans and their parts.
 
 use brilliance_renderer::kernel::fan::{
-    axis_position_in, axis_positions, gathered, is_dispersed, part_of_fan, ray_in_fan,
-    segment_count, white_fan,
+    axis_position_in, axis_width, fan_through, gathered, is_dispersed, part_of_fan, position_of,
+    ray_in_fan, segment_count, white_fan,
 };
 
 use crate::probe::{Case, EXACT, Probe, ROUNDING, Table, Tolerance, World, throw};
@@ -49,9 +49,9 @@ fn wholes() -> Vec<Probe> {
 fn positions() -> Vec<Probe> {
     vec![
         Probe {
-            name: "axis_positions",
-            wgsl: "put_vec3(axis_positions(take_fan()));",
-            rust: |_, take, put| put.each(axis_positions(&take.fan())),
+            name: "axis_width",
+            wgsl: "put_f32(axis_width(take_fan()));",
+            rust: |_, take, put| put.f32(axis_width(&take.fan())),
             cases: |_| throw(200, |dice| Case::new().fan(&dice.fan())),
             tolerance: ROUNDING,
         },
@@ -61,6 +61,21 @@ fn positions() -> Vec<Probe> {
             rust: |_, take, put| put.f32(axis_position_in(&take.fan(), take.f32())),
             cases: |_| throw(200, |dice| Case::new().fan(&dice.fan()).f32(dice.position())),
             tolerance: ROUNDING,
+        },
+        Probe {
+            name: "position_of",
+            wgsl: "put_f32(position_of(take_fan(), take_f32()));",
+            rust: |_, take, put| put.f32(position_of(&take.fan(), take.f32())),
+            cases: |_| {
+                throw(400, |dice| {
+                    let fan = dice.fan();
+                    let inside = axis_position_in(&fan, dice.position());
+                    let any = dice.between(0.0, 1.0);
+                    Case::new().fan(&fan).f32(dice.pick(&[inside, inside, any]))
+                })
+            },
+            // In a narrow fan the quotient of small differences.
+            tolerance: Tolerance::relative(1e-4).or(1e-4).but(0.01),
         },
     ]
 }
@@ -82,6 +97,13 @@ fn parts() -> Vec<Probe> {
                 let fans = world.fans(200).into_iter();
                 fans.map(|fan| Case::new().fan(&fan).vec2([-0.25, 1.0])).collect()
             },
+            tolerance: PARTS,
+        },
+        Probe {
+            name: "fan_through",
+            wgsl: "put_fan(fan_through(take_fan(), take_vec3()));",
+            rust: |_, take, put| put.fan(&fan_through(&take.fan(), take.each())),
+            cases: |_| throw(400, |dice| Case::new().fan(&dice.fan()).each(dice.each(-1.0, 1.0))),
             tolerance: PARTS,
         },
         Probe {

@@ -3,7 +3,7 @@
 use brilliance_renderer::kernel::fan::Fan;
 use brilliance_renderer::kernel::fan_lights::{
     deposit_beside, depth_in_cone, edge_of_cone, end_at_lights, fan_light, is_fan_far_off,
-    nearest_approach, part_in_cone,
+    largest_spread, nearest_approach, part_in_cone,
 };
 use brilliance_renderer::kernel::lights::{Cone, disc_cone};
 use brilliance_renderer::kernel::nodes::{middle_node, nodes_of};
@@ -31,6 +31,13 @@ pub(super) fn table() -> Table {
 
 fn cones() -> Vec<Probe> {
     vec![
+        Probe {
+            name: "largest_spread",
+            wgsl: "put_f32(largest_spread(take_fan()));",
+            rust: |_, take, put| put.f32(largest_spread(&take.fan())),
+            cases: |_| throw(400, |dice| Case::new().fan(&dice.fan())),
+            tolerance: ROUNDING,
+        },
         Probe {
             name: "is_fan_far_off",
             wgsl: "put_bool(is_fan_far_off(take_fan(), take_cone()));",

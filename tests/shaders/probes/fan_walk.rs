@@ -2,7 +2,8 @@
 
 use brilliance_renderer::kernel::fan::Fan;
 use brilliance_renderer::kernel::fan_walk::{
-    FAN_STACK_LEN, fate_of_fan, is_worth_dividing, largest, least_of, send_fan, significance_bound,
+    FAN_STACK_LEN, draw_chance, energy_bound, fate_of_fan, is_worth_dividing, largest, least_of,
+    send_fan, significance_bound,
 };
 use brilliance_renderer::packed::NONE;
 use glam::Vec3A;
@@ -50,7 +51,7 @@ fn stack() -> Vec<Probe> {
             cases: |world| {
                 throw(400, |dice| {
                     let [a, b, c] = [0; 3].map(|_| any_fan(world, dice));
-                    Case::new().u32(0).u32(0).fan(&a).fan(&b).fan(&c)
+                    walk(dice).fan(&a).fan(&b).fan(&c)
                 })
             },
             tolerance: ENERGY,
@@ -99,20 +100,60 @@ fn fates() -> Vec<Probe> {
     vec![
         Probe {
             name: "fate_of_fan",
-            wgsl: "put_u32(fate_of_fan(take_fan(), take_u32()));",
+            wgsl: "begin_walk();
+    var fan = take_fan();
+    walk.stack_count = take_u32();
+    put_u32(fate_of_fan(&fan, take_f32()));
+    put_fan(fan);
+    walk.stack_count = 0u;
+    put_fan_walk();",
             rust: |world, take, put| {
-                let fan = take.fan();
-                put.u32(fate_of_fan(&world.scene, &world.rules, &fan, take.u32()) as u32);
+                world.fan_walk(take, put, |walk, take, put| {
+                    let mut fan = take.fan();
+                    for _ in 0..take.u32() {
+                        walk.push(&fan);
+                    }
+                    put.u32(fate_of_fan(walk, &mut fan, take.f32()) as u32);
+                    put.fan(&fan);
+                    while walk.has_rays() {
+                        walk.pop();
+                    }
+                });
             },
             cases: |world| {
-                throw(600, |dice| {
+                throw(800, |dice| {
                     let depth = dice.pick(&[0, 3, 4, 40, 41]);
                     let fan = Fan { depth, ..any_fan(world, dice) };
                     let full = FAN_STACK_LEN as u32;
-                    Case::new().fan(&fan).u32(dice.pick(&[0, full - 1, full]))
+                    let waiting = dice.pick(&[0, 0, full - 1, full]);
+                    let threshold = dice.magnitude(1e-3, 0.5);
+                    walk(dice).fan(&fan).u32(waiting).f32(threshold)
                 })
             },
-            tolerance: EXACT.but(0.005),
+            // What lives carries more by one over a chance, which may be small.
+            tolerance: Tolerance::relative(1e-4).or(1e-4).but(0.02),
+        },
+        Probe {
+            name: "draw_chance",
+            wgsl: "begin_walk();
+    put_f32(draw_chance());
+    put_f32(draw_chance());
+    put_fan_walk();",
+            rust: |world, take, put| {
+                world.fan_walk(take, put, |walk, _, put| {
+                    put.f32(draw_chance(walk));
+                    put.f32(draw_chance(walk));
+                });
+            },
+            cases: |_| throw(100, |dice| walk(dice)),
+            tolerance: EXACT,
+        },
+        Probe {
+            name: "energy_bound",
+            wgsl: "put_f32(energy_bound(take_fan()));",
+            rust: |world, take, put| put.f32(energy_bound(&world.scene, &take.fan())),
+            cases: |world| throw(400, |dice| Case::new().fan(&any_fan(world, dice))),
+            tolerance: Tolerance::relative(1e-5).or(1e-7),
         },
         Probe {
             name: "significance_bound",
@@ -148,6 +189,11 @@ fn values() -> Vec<Probe> {
             tolerance: EXACT,
         },
     ]
+}
+
+/// Of any seed and pass.
+fn walk(dice: &mut Dice) -> Case {
+    Case::new().u32(dice.word()).u32(dice.below(100) as u32)
 }
 
 /// Strong and weak, with a path through one of the coloured materials or through none.

@@ -1,7 +1,7 @@
 //! Values at the nodes of a fan and between them.
 
 use brilliance_renderer::kernel::nodes::{
-    advance_each, basis_at, basis_between, blend, blend_nodes, dot_each, equal_nodes, high_node,
+    advance_each, basis_at, basis_of, blend, blend_nodes, dot_each, equal_nodes, high_node,
     length_squared_each, low_node, middle_node, nodes_of, normalize_each, scale_each, shift_each,
     slope_basis_at,
 };
@@ -152,11 +152,13 @@ fn between() -> Vec<Probe> {
             tolerance: ROUNDING,
         },
         Probe {
-            name: "basis_between",
-            wgsl: "put_vec3(basis_between(take_f32(), take_f32()) * take_vec3());",
-            rust: |_, take, put| put.each(basis_between(take.f32(), take.f32()) * take.each()),
+            name: "basis_of",
+            wgsl: "put_vec3(basis_of(take_vec3()) * take_vec3());",
+            rust: |_, take, put| put.each(basis_of(take.each()) * take.each()),
             cases: |_| {
-                throw(200, |dice| Case::new().vec2(dice.part()).each(dice.each(-REACH, REACH)))
+                throw(200, |dice| {
+                    Case::new().each(dice.each(-1.0, 1.0)).each(dice.each(-REACH, REACH))
+                })
             },
             tolerance: ROUNDING.or(1e-5),
         },
@@ -174,12 +176,14 @@ fn between() -> Vec<Probe> {
         Probe {
             name: "blend_nodes",
             wgsl: "let nodes = take_nodes();
-    put_nodes(blend_nodes(nodes, basis_between(take_f32(), take_f32())));",
+    put_nodes(blend_nodes(nodes, basis_of(take_vec3())));",
             rust: |_, take, put| {
                 let nodes = take.nodes();
-                put.nodes(&blend_nodes(&nodes, basis_between(take.f32(), take.f32())));
+                put.nodes(&blend_nodes(&nodes, basis_of(take.each())));
             },
-            cases: |_| throw(200, |dice| Case::new().nodes(&dice.nodes(REACH)).vec2(dice.part())),
+            cases: |_| {
+                throw(200, |dice| Case::new().nodes(&dice.nodes(REACH)).each(dice.each(-1.0, 1.0)))
+            },
             tolerance: ROUNDING.or(1e-5),
         },
     ]

@@ -1,7 +1,7 @@
 //! The quadratic function through three nodes.
 
 use brilliance_renderer::kernel::parabola::{
-    Parabola, crossings, cut_at, parabola_at, parabola_through,
+    Parabola, crossings, cut_at, half_slope_at, parabola_at, parabola_through, position_where,
 };
 use glam::Vec3A;
 
@@ -34,6 +34,26 @@ pub(super) fn table() -> Table {
                     })
                 },
                 tolerance: ROUNDING,
+            },
+            Probe {
+                name: "half_slope_at",
+                wgsl: "put_f32(half_slope_at(take_parabola(), take_f32()));",
+                rust: |_, take, put| put.f32(half_slope_at(&take.parabola(), take.f32())),
+                cases: |_| {
+                    throw(400, |dice| {
+                        let parabola = parabola_through(dice.each(-2.0, 2.0));
+                        Case::new().parabola(&parabola).f32(dice.position())
+                    })
+                },
+                tolerance: ROUNDING,
+            },
+            Probe {
+                name: "position_where",
+                wgsl: "put_f32(position_where(take_parabola(), take_f32()));",
+                rust: |_, take, put| put.f32(position_where(&take.parabola(), take.f32())),
+                cases: |_| rising_parabolas(),
+                // Where it begins level the place is the root of a small difference.
+                tolerance: Tolerance::relative(1e-4).or(1e-4).but(0.01),
             },
             Probe {
                 name: "crossings",
@@ -73,6 +93,19 @@ fn parabolas_about_zero() -> Vec<Case> {
         cases.push(Case::new().parabola(&Parabola { a, b, c }));
     }
     cases
+}
+
+/// Values on parabolas that rise, beyond their ends, and on those that do not rise at all.
+fn rising_parabolas() -> Vec<Case> {
+    throw(600, |dice| {
+        let (low, width) = (dice.between(0.0, 1.0), dice.magnitude(1e-3, 1.0));
+        let drawn = dice.pick(&[0.5, 0.3, 0.7, 0.25]);
+        let rising = parabola_through(Vec3A::new(low, low + drawn * width, low + width));
+        let level = Parabola { a: 0.0, b: 0.0, c: low };
+        let value = low + width * dice.between(-0.1, 1.1);
+        let parabola = dice.pick(&[rising, rising, rising, level]);
+        Case::new().parabola(&parabola).f32(value)
+    })
 }
 
 /// Quotients on both sides of ±1, and of zeros of both signs.
