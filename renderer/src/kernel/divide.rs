@@ -24,7 +24,7 @@ use crate::packed::{NONE, PackedScene};
 use crate::spectrum::LAMBDA_MIN_NM;
 
 /// Width of an interval, as a part of the dispersion axis, below which nothing divides it.
-pub const NARROW: f32 = 1e-4;
+pub const NARROW: f32 = 1e-6;
 
 /// By how much, in radians, directions between the nodes may be off before a refracted fan is divided.
 pub const DIRECTION_TOLERANCE: f32 = 2e-4;
