@@ -183,7 +183,12 @@ pub fn drawn_to_critical(scene: &PackedScene, fan: &Fan, at: &Interface) -> (Fan
     let middle = position_of(fan, fan.axis.x + share * axis_width(fan));
     let mut drawn = fan_through(fan, Vec3A::new(-1.0, middle, 1.0));
     // Another parabola through the weights has another integral; the ledger must not notice.
-    drawn.weight *= fan_energy(scene, fan) / fan_energy(scene, &drawn).max(1e-12);
+    let energy = fan_energy(scene, fan);
+    let drawn_energy = fan_energy(scene, &drawn);
+    if drawn_energy < 0.25 * energy || drawn_energy <= 0.0 {
+        return (*fan, false);
+    }
+    drawn.weight *= energy / drawn_energy;
     (drawn, true)
 }
 
