@@ -81,7 +81,8 @@ fn the_json_is_the_tree_of_the_pixel_that_was_asked_for() {
         .as_array()
         .unwrap()
         .iter()
-        .map(|ray| ray["energy_at_end"].as_f64().unwrap())
+        .map(|ray| ["energy_at_end", "energy_gained"].map(|part| ray[part].as_f64().unwrap()))
+        .map(|[at_end, gained]| at_end - gained)
         .sum();
     assert!((ended - 1.0).abs() < 1e-4, "{ended}");
 

@@ -11,7 +11,7 @@ use brilliance_renderer::still::Still;
 use glam::{DVec3, Vec3};
 
 use crate::scenes::{
-    block, clear, close_camera, flat_sky, furnace, object, render, request, scene,
+    block, clear, close_camera, flat_sky, furnace, object, paper, render, request, scene,
 };
 
 const GLASS: Dispersion = Dispersion::Linear { n_d: 1.5, dispersion_bg: 0.0 };
@@ -30,7 +30,7 @@ fn slab() -> Scene {
 }
 
 fn counts_of(scene: Scene, significance_threshold: f32) -> Counts {
-    let settings = TraceSettings { significance_threshold, ..TraceSettings::default() };
+    let settings = TraceSettings { significance_threshold, ..paper() };
     let mut request = request(scene, straight_down(), [3, 2], settings);
     request.pass_limit = 4;
     let film = render(&request, 0).film;
@@ -86,7 +86,7 @@ fn totals(still: &Still) -> Counts {
 
 #[test]
 fn the_counts_add_up_to_the_statistics() {
-    let settings = TraceSettings { significance_threshold: 1e-2, ..TraceSettings::default() };
+    let settings = TraceSettings { significance_threshold: 1e-2, ..paper() };
     let mut request = request(furnace(), close_camera(7.0), [61, 47], settings);
     request.pass_limit = 3;
     let still = render(&request, 0);

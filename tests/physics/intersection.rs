@@ -17,7 +17,8 @@ use brilliance_renderer::spectrum::Bins;
 use glam::{Quat, Vec3};
 
 use crate::scenes::{
-    DIAMOND, brilliant, clear, close_camera, flat_sky, furnace, mean, render, request, scene,
+    DIAMOND, brilliant, clear, close_camera, exact, flat_sky, furnace, mean, paper, render,
+    request, scene,
 };
 
 /// The brilliant as a triangle mesh, somewhere else, turned and scaled.
@@ -72,7 +73,12 @@ fn planes_and_triangles_agree_from_outside() {
 
 #[test]
 fn a_mesh_renders_as_its_solid() {
-    let trace = TraceSettings { max_depth: 24, ..TraceSettings::default() };
+    for settings in [paper(), exact()] {
+        a_mesh_renders_as_its_solid_by(&TraceSettings { max_depth: 24, ..settings });
+    }
+}
+
+fn a_mesh_renders_as_its_solid_by(trace: &TraceSettings) {
     let lights = Lights { hemisphere: Some(flat_sky(1.0)), ..Lights::default() };
     let picture = |object: Object| {
         render(
@@ -103,11 +109,12 @@ fn a_mesh_renders_as_its_solid() {
 fn no_interior_ray_is_lost_in_a_mesh() {
     let mut furnace = furnace();
     furnace.objects = vec![meshed(Transform::default())];
-    let still =
-        render(&request(furnace, close_camera(7.0), [128, 128], TraceSettings::default()), 0);
-    let ledger = still.statistics.ledger;
-    assert!(ledger.lost / ledger.entered < 1e-6, "{ledger:?}");
-    assert!(ledger.imbalance().abs() / ledger.entered < 1e-5, "{ledger:?}");
+    for (settings, tolerance) in [(paper(), 1e-5), (TraceSettings::default(), 1e-4)] {
+        let request = request(furnace.clone(), close_camera(7.0), [128, 128], settings);
+        let ledger = render(&request, 0).statistics.ledger;
+        assert!(ledger.lost / ledger.entered < 1e-6, "{ledger:?}");
+        assert!(ledger.imbalance().abs() / ledger.entered < tolerance, "{ledger:?}");
+    }
 }
 
 #[test]

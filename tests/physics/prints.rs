@@ -8,7 +8,7 @@ use brilliance_renderer::material::{
     Diffuse, Image, ImageOrigin, Layout, Material, Outside, Planar, Print,
 };
 use brilliance_renderer::mesh::Mesh;
-use brilliance_renderer::packed::{NONE, PackedScene};
+use brilliance_renderer::packed::{AXIS_LEN, INDEX_TABLE_LEN, NONE, PackedScene};
 use brilliance_renderer::scene::{MeshSource, Object, Shape};
 use brilliance_renderer::settings::TraceSettings;
 use brilliance_renderer::spectrum::{Bins, Spectrum};
@@ -216,7 +216,8 @@ fn prints_are_packed_once() {
     let twins = pack(&[printed.clone(), printed.clone(), other]);
     // The order of three bodies, the levels, the texels, and two projections.
     assert_eq!(twins.words.len(), 3 + 256 + 4 + 2 * 8);
-    assert_eq!((twins.materials.len(), twins.spectra.len()), (2, 4 * (2 + 3)));
+    let axis = AXIS_LEN + INDEX_TABLE_LEN + 2 * 4;
+    assert_eq!((twins.materials.len(), twins.spectra.len()), (2, 4 * (2 + 3) + axis));
     let sheet = unwrapped(print());
     let sheets = pack(&[sheet.clone(), sheet]);
     assert_eq!(sheets.words.len(), 2 + 256 + 4 + 8);

@@ -1,17 +1,18 @@
 //! A rendered prism bends every wavelength by the textbook angle.
 
 use brilliance_renderer::camera::Camera;
+use brilliance_renderer::film::Film;
 use brilliance_renderer::light::Lights;
 use brilliance_renderer::settings::TraceSettings;
 use glam::Vec3;
 
-use crate::scenes::{FLINT, clear, flat_disc, object, prism, render, request, scene};
+use crate::scenes::{FLINT, clear, exact, flat_disc, object, paper, prism, render, request, scene};
 
 const WIDTH: u32 = 900;
 const FOV_DEGREES: f64 = 14.0;
 
 /// Column at which each bin's light arrives on average; `None` where it is not in the picture.
-fn centroids(film: &brilliance_renderer::film::Film) -> Vec<Option<f64>> {
+fn centroids(film: &Film) -> Vec<Option<f64>> {
     let bins = film.bins().count();
     (0..bins)
         .map(|bin| {
@@ -49,19 +50,28 @@ fn light_is_bent_by_the_textbook_angle() {
             * ((FOV_DEGREES / 2.0).to_radians().tan() / f64::from(WIDTH)).atan() as f32,
     };
     // Only the ray that is refracted twice: images by inner reflections lie elsewhere.
-    let settings =
-        TraceSettings { bins: 50, significance_threshold: 0.3, ..TraceSettings::default() };
-    let prism = object(prism(60.0, 5.0), clear(FLINT));
-    let mut request = request(scene(vec![prism], lights), camera, [WIDTH, 1], settings);
-    request.pass_limit = 16;
-    let film = render(&request, 0).film;
+    let of_paper = TraceSettings { significance_threshold: 0.3, ..paper() };
+    for settings in [of_paper, exact()] {
+        let settings = TraceSettings { bins: 50, max_depth: 2, ..settings };
+        let prism = object(prism(60.0, 5.0), clear(FLINT));
+        let scene = scene(vec![prism], lights.clone());
+        let mut request = request(scene, camera, [WIDTH, 1], settings);
+        request.pass_limit = 16;
+        let film = render(&request, 0).film;
+        assert_bent(&film, &camera, view, towards_light);
+    }
+}
+
+/// Where each bin of the film sees the light, the formula sends it.
+fn assert_bent(film: &Film, camera: &Camera, view: f64, towards_light: f64) {
+    let apex = 60.0_f64.to_radians();
 
     let half_width = (FOV_DEGREES / 2.0).to_radians().tan();
     let mut checked = 0;
-    for (bin, column) in centroids(&film).into_iter().enumerate() {
+    for (bin, column) in centroids(film).into_iter().enumerate() {
         let Some(column) = column else { continue };
         let across = (2.0 * column / f64::from(WIDTH) - 1.0) * half_width;
-        let ray_angle = camera_angle(view, across, &camera);
+        let ray_angle = camera_angle(view, across, camera);
         let (low_nm, high_nm) = film.bins().range_nm(bin);
         let n = FLINT.n(f64::from(0.5 * (low_nm + high_nm)));
         let incidence = 30.0_f64.to_radians() + std::f64::consts::PI - ray_angle;

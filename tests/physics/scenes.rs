@@ -13,7 +13,7 @@ use brilliance_renderer::material::{Dielectric, Dispersion, Material};
 use brilliance_renderer::packed::PackedScene;
 use brilliance_renderer::scene::{Object, Scene, Shape, Transform};
 use brilliance_renderer::session::RenderRequest;
-use brilliance_renderer::settings::{NoiseGoal, TraceSettings};
+use brilliance_renderer::settings::{NoiseGoal, Splitting, TraceSettings};
 use brilliance_renderer::solid::HalfSpace;
 use brilliance_renderer::spectrum::{Bins, Spectrum};
 use brilliance_renderer::still::{Still, StillLimits};
@@ -24,6 +24,17 @@ use glam::{DVec3, Vec3};
 pub(crate) const DIAMOND: Dispersion = Dispersion::Linear { n_d: 2.417, dispersion_bg: 0.044 };
 /// A strongly dispersive flint glass by the paper's linear formula.
 pub(crate) const FLINT: Dispersion = Dispersion::Linear { n_d: 1.784, dispersion_bg: 0.055 };
+
+/// The paper's splitting.
+pub(crate) fn paper() -> TraceSettings {
+    TraceSettings { splitting: Splitting::Paper, ..TraceSettings::default() }
+}
+
+/// Exact splitting of which next to nothing is left to chance.
+pub(crate) fn exact() -> TraceSettings {
+    let splitting = Splitting::Exact;
+    TraceSettings { splitting, roulette_threshold: 1e-6, ..TraceSettings::default() }
+}
 
 pub(crate) fn flat_sky(radiance: f32) -> SkyLight {
     SkyLight { radiance, spectrum: Spectrum::Flat(1.0) }

@@ -7,7 +7,7 @@ use brilliance_renderer::scene::Scene;
 use brilliance_renderer::settings::TraceSettings;
 use glam::{DVec3, Quat, Vec3};
 
-use crate::scenes::{block, clear, flat_disc, object, render, request, scene};
+use crate::scenes::{block, clear, exact, flat_disc, object, paper, render, request, scene};
 
 const GLASS: Dispersion = Dispersion::Linear { n_d: 1.9, dispersion_bg: 0.08 };
 const TILT_DEGREES: f32 = 35.0;
@@ -42,11 +42,16 @@ fn a_disc_behind_a_slab_keeps_its_shape_and_its_colour() {
         fov_y_radians: 4.0_f32.to_radians(),
         ..Camera::default()
     };
-    let settings =
-        TraceSettings { significance_threshold: 1e-6, max_depth: 64, ..TraceSettings::default() };
+    for settings in [TraceSettings { significance_threshold: 1e-6, ..paper() }, exact()] {
+        a_disc_keeps_its_shape(&camera, &TraceSettings { max_depth: 64, ..settings });
+    }
+}
+
+fn a_disc_keeps_its_shape(camera: &Camera, settings: &TraceSettings) {
     let size = [48, 48];
-    let through = render(&request(with_slab(), camera, size, settings.clone()), 0).film;
-    let bare = render(&request(scene(Vec::new(), lights()), camera, size, settings), 0).film;
+    let through = render(&request(with_slab(), *camera, size, settings.clone()), 0).film;
+    let bare =
+        render(&request(scene(Vec::new(), lights()), *camera, size, settings.clone()), 0).film;
     let (mut lit, mut blurred) = (0, 0);
     for y in 0..size[1] {
         for x in 0..size[0] {

@@ -23,7 +23,7 @@ use crate::packed::{NONE, PackedScene};
 use crate::spectrum::LAMBDA_MIN_NM;
 
 /// Width of an interval, as a part of the dispersion axis, below which nothing divides it.
-pub const NARROW: f32 = 1e-4;
+pub const NARROW: f32 = 1e-6;
 
 /// By how much, in radians, directions between the nodes may be off before a refracted fan is divided.
 pub const DIRECTION_TOLERANCE: f32 = 2e-4;
@@ -180,7 +180,15 @@ pub fn drawn_to_critical(scene: &PackedScene, fan: &Fan, at: &Interface) -> (Fan
     let mean = 0.5 * (low.sqrt() + high.sqrt());
     let share = (mean * mean - low) / difference;
     let middle = position_of(fan, fan.axis.x + share * axis_width(fan));
-    (fan_through(fan, Vec3A::new(-1.0, middle, 1.0)), true)
+    let mut drawn = fan_through(fan, Vec3A::new(-1.0, middle, 1.0));
+    // Another parabola through the weights has another integral; the ledger must not notice.
+    let energy = fan_energy(scene, fan);
+    let drawn_energy = fan_energy(scene, &drawn);
+    if drawn_energy < 0.25 * energy || drawn_energy <= 0.0 {
+        return (*fan, false);
+    }
+    drawn.weight *= energy / drawn_energy;
+    (drawn, true)
 }
 
 /// The fan beyond the interface.

@@ -105,7 +105,7 @@ pub fn fan_through(fan: &Fan, positions: Vec3A) -> Fan {
     let mut part = *fan;
     part.origin = blend_nodes(&fan.origin, basis);
     part.direction = normalize_each(&blend_nodes(&fan.direction, basis));
-    part.weight = (basis * fan.weight).max(Vec3A::ZERO);
+    part.weight = basis * fan.weight;
     part.path_mm = basis * fan.path_mm;
     part.axis = basis * fan.axis;
     part

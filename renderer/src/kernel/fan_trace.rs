@@ -7,12 +7,16 @@ use crate::kernel::fan::{
 };
 use crate::kernel::fan_lights::end_at_lights;
 use crate::kernel::fan_matte::shade_fan;
-use crate::kernel::fan_walk::send_fan;
+use crate::kernel::fan_walk::{largest, send_fan};
 use crate::kernel::ray::Ray;
 use crate::kernel::reach::{arrive, reach};
 use crate::kernel::trace::{is_lost, meets_opaque, next_surface};
 use crate::kernel::walk::Walk;
 use crate::packed::NONE;
+
+/// Energy of the part of a fan that meets another surface up to which it goes with the rest, over that
+/// from which on fans are divided.
+pub const REST_SHARE: f32 = 0.03;
 
 /// Follows `camera_ray` and all that comes of it to the end, as fans.
 #[inline]
@@ -55,10 +59,12 @@ pub fn follow_fan(walk: &mut Walk<'_, Fan>) {
 #[inline]
 pub fn send_rest(walk: &mut Walk<'_, Fan>, fan: &Fan, reached: [f32; 2]) -> Fan {
     let [mut low, mut high] = reached;
-    if axis_position_in(fan, low) - fan.axis.x <= NARROW {
+    let least_energy = REST_SHARE * walk.rules.cut_threshold;
+    let least_width = (least_energy / largest(fan.weight).max(1e-12)).max(NARROW);
+    if axis_position_in(fan, low) - fan.axis.x <= least_width {
         low = -1.0;
     }
-    if fan.axis.z - axis_position_in(fan, high) <= NARROW {
+    if fan.axis.z - axis_position_in(fan, high) <= least_width {
         high = 1.0;
     }
     if low == -1.0 && high == 1.0 {

@@ -55,12 +55,12 @@ pub fn fate_of_fan(walk: &mut Walk<'_, Fan>, fan: &mut Fan, threshold: f32) -> F
     if chance >= 1.0 {
         return fate;
     }
+    // Before what its path has absorbed: that is booked where those end that live.
+    let energy = fan_energy(walk.scene, fan);
     if draw_chance(walk) >= chance {
-        let energy = retire_fan(walk, fan);
         walk.tally.pruned += energy;
         return Fate::TooWeak;
     }
-    let energy = fan_energy(walk.scene, fan);
     walk.tally.pruned -= energy * (1.0 / chance - 1.0);
     fan.weight /= chance;
     fate
