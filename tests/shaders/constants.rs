@@ -5,7 +5,10 @@ use std::f32::consts::{FRAC_1_PI, TAU};
 
 use brilliance_renderer::kernel::mesh::Sides;
 use brilliance_renderer::kernel::walk::Fate;
-use brilliance_renderer::kernel::{interface, intersect, mesh, ray, rng, spread, walk};
+use brilliance_renderer::kernel::{
+    band, divide, facet, fan_lights, fan_matte, fan_walk, interface, intersect, mesh, ray, reach,
+    rng, spread, walk,
+};
 use brilliance_renderer::material::Outside;
 use brilliance_renderer::packed;
 use brilliance_renderer::shaders::join;
@@ -28,6 +31,7 @@ fn rust_constants() -> Vec<(&'static str, Constant)> {
         ("NONE", U32(packed::NONE)),
         ("CONVEX", U32(packed::CONVEX)),
         ("INDEX_TABLE_LEN", U32(packed::INDEX_TABLE_LEN as u32)),
+        ("AXIS_LEN", U32(packed::AXIS_LEN as u32)),
         ("LAMBDA_MIN_NM", F32(LAMBDA_MIN_NM)),
         ("LAMBDA_MAX_NM", F32(LAMBDA_MAX_NM)),
         ("SMALLEST_SQUARE", F32(f32::MIN_POSITIVE)),
@@ -57,6 +61,23 @@ fn rust_constants() -> Vec<(&'static str, Constant)> {
         ("FATE_TOO_WEAK", U32(Fate::TooWeak as u32)),
         ("FATE_TOO_DEEP", U32(Fate::TooDeep as u32)),
         ("FATE_TOO_MANY", U32(Fate::TooMany as u32)),
+        ("FAN_STACK_LEN", U32(fan_walk::FAN_STACK_LEN as u32)),
+        ("FACET_TOLERANCE_MM", F32(facet::FACET_TOLERANCE_MM)),
+        ("LEAST_SCALE", F32(facet::LEAST_SCALE)),
+        ("REACH_BISECTIONS", U32(reach::REACH_BISECTIONS)),
+        ("GRAZING", F32(reach::GRAZING)),
+        ("DRIFT_MM", F32(reach::DRIFT_MM)),
+        ("LEEWAY", F32(fan_lights::LEEWAY)),
+        ("FAR_OFF_MARGIN", F32(fan_lights::FAR_OFF_MARGIN)),
+        ("APPROACH_STEPS", U32(fan_lights::APPROACH_STEPS)),
+        ("EDGE_BISECTIONS", U32(fan_lights::EDGE_BISECTIONS)),
+        ("WEIGHT_TOLERANCE", F32(fan_matte::WEIGHT_TOLERANCE)),
+        ("GAUSS_POINT", F32(band::GAUSS_POINT)),
+        ("STRAIGHT", F32(band::STRAIGHT)),
+        ("NARROW", F32(divide::NARROW)),
+        ("DIRECTION_TOLERANCE", F32(divide::DIRECTION_TOLERANCE)),
+        ("DRAWING_CONTRAST", F32(divide::DRAWING_CONTRAST)),
+        ("LEAF_SHARE", F32(divide::LEAF_SHARE)),
     ]
 }
 

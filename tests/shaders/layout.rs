@@ -15,8 +15,11 @@ use wgpu::naga::{AddressSpace, ArraySize, Handle, Module, Scalar, StructMember, 
 use crate::wgsl::parse;
 
 /// Structs of the shaders that have no twin of the same layout.
-const WITHOUT_TWIN: &[(&str, &str)] =
-    &[("Ray", "stacks never leave the device: 76 bytes in Rust, 80 where vec3f is aligned")];
+const WITHOUT_TWIN: &[(&str, &str)] = &[
+    ("Ray", "stacks never leave the device: 76 bytes in Rust, 80 where vec3f is aligned"),
+    ("Fan", "the same: Rust orders its members as it likes"),
+    ("Nodes", "of fans alone"),
+];
 
 /// A type as WGSL spells it.
 trait Spelled {
@@ -110,10 +113,10 @@ fn rust_layouts() -> Vec<Layout> {
         Frame {
             position, width, forward, height, right, first_row, up, pixel_count, rules, sky,
             ground, first_pass, item_count, budget, bin_count, bin_width_nm, disc_count,
-            top_node_count, first_walker
+            top_node_count, first_walker, instance_count, axis, padding
         }
         TraceRules {
-            observer, split_count, significance_threshold, max_depth, perturb, padding
+            observer, split_count, significance_threshold, max_depth, perturb, cut_threshold
         }
     }
 }

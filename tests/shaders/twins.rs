@@ -12,25 +12,34 @@ type Singles = (&'static str, &'static [&'static str], &'static str);
 const RUST_ONLY: &[Singles] = &[
     (
         "convex",
-        &[
-            "of",
-            "hit",
-            "new_wide_ray",
-            "project",
-            "for_each_vector",
-            "greatest",
-            "with_simd",
-            "nearest_exit",
-        ],
+        &["hit", "new_wide_ray", "project", "greatest", "with_simd", "nearest_exit"],
         "the processor tests as many planes at a time as it can, a shader one after the other",
     ),
-    ("packed", &["new_packed_scene"], "scenes are packed by the processor"),
+    (
+        "facet",
+        &["new_wide_points", "outside", "narrow", "with_simd"],
+        "the processor tests as many planes at a time as it can, a shader one after the other",
+    ),
+    (
+        "band",
+        &["of", "of_bins", "whole_bins"],
+        "the processor sums up many bins at a time, a shader one after the other",
+    ),
+    ("axis", &["all_axis_moments"], "the same"),
+    ("fan_trace", &["trace_fans"], "walkers follow fans from one dispatch to the next"),
+    ("fan_walk", &["of_fans"], "a walker's state lies in buffers"),
+    (
+        "packed",
+        &["new_packed_scene", "spectrum_row"],
+        "the processor packs, and has rows as slices",
+    ),
     ("trace", &["trace"], "walkers follow rays from one dispatch to the next"),
-    ("walk", &["new_ray_stack", "default", "new_walk"], "a walker's state lies in buffers"),
+    ("walk", &["new_ray_stack", "default", "new_walk", "keep"], "a walker's state lies in buffers"),
 ];
 
 const WGSL_ONLY: &[Singles] = &[
     ("convex", &["plane_of", "plane_hit"], "Rust has the planes of a solid as slices"),
+    ("fan_walk", &["pop_fan", "push_fan"], "stacks of Rust hold either rays or fans"),
     (
         "vector",
         &["normalize_or_zero", "length_squared", "max_element", "min_element", "max_position"],
@@ -48,7 +57,7 @@ struct Function {
 /// The functions of a text in their order. A method `new` of `BoxRay` is `new_box_ray`, as in WGSL.
 fn functions(text: &str, comment: &str) -> Vec<Function> {
     let text = text.split("#[cfg(test)]").next().unwrap_or_default();
-    let (mut functions, mut said, mut owner) = (Vec::new(), Vec::new(), "");
+    let (mut functions, mut said, mut owner) = (Vec::new(), Vec::new(), String::new());
     for line in text.lines() {
         let code = line.trim_start();
         if let Some(words) = code.strip_prefix(comment) {
@@ -56,17 +65,29 @@ fn functions(text: &str, comment: &str) -> Vec<Function> {
         } else if let Some(rest) = code.strip_prefix("pub fn ").or(code.strip_prefix("fn ")) {
             let name = rest.split(['(', '<']).next().unwrap_or_default();
             let sentence = first_sentence(&said);
-            functions.push(Function { name: in_wgsl(name, owner), sentence });
+            functions.push(Function { name: in_wgsl(name, &owner), sentence });
         } else if line.starts_with("impl") {
-            // The last word before its brace or its lifetimes.
-            let path = line.trim_end_matches([' ', '{']);
-            let path = path.rsplit(' ').next().unwrap_or_default();
-            owner = path.split('<').next().unwrap_or_default();
+            owner = owner_of(line);
         } else if !code.starts_with("#[") {
             said.clear();
         }
     }
     functions
+}
+
+/// The type that a line `impl<…> Trait for Type<…> {` is about.
+fn owner_of(line: &str) -> String {
+    let mut depth = 0;
+    let is_outside = |letter: &char| {
+        match letter {
+            '<' => depth += 1,
+            '>' => depth -= 1,
+            _ => return depth == 0,
+        }
+        false
+    };
+    let words: String = line.trim_end_matches([' ', '{']).chars().filter(is_outside).collect();
+    words.trim_end().rsplit(' ').next().unwrap_or_default().to_owned()
 }
 
 fn in_wgsl(name: &str, owner: &str) -> String {
@@ -159,7 +180,7 @@ impl BoxRay {
     pub fn new(origin: Vec3) -> Self {
     }
 }
-impl<S: Simd> WideRay<S> {
+impl<'a, S: Simd> WideRay<'a, S> {
     fn new(simd: S) {}
 }
 /// Two

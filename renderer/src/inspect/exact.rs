@@ -9,7 +9,7 @@ use super::tree::{RayEdge, RayKind};
 use crate::kernel::axis::wavelength_at;
 use crate::kernel::band::fan_energy;
 use crate::kernel::divide::{LEAF_SHARE, can_only_meet_lights};
-use crate::kernel::fan::{Fan, axis_position_in, ray_in_fan};
+use crate::kernel::fan::{Fan, axis_position_in, ray_in_fan, white_fan};
 use crate::kernel::fan_lights::{end_at_lights, is_fan_far_off, part_in_cone};
 use crate::kernel::fan_trace::{follow_fan, send_rest};
 use crate::kernel::fan_walk::fate_of_fan;
@@ -32,7 +32,7 @@ impl Branch for Fan {
     }
 
     fn of_camera_ray(camera_ray: &Ray) -> Self {
-        Self::white(camera_ray.origin, camera_ray.direction)
+        white_fan(camera_ray.origin, camera_ray.direction)
     }
 
     /// As `send_fan`, and with what is refracted as `send_refracted`.

@@ -106,12 +106,12 @@ pub fn axis_position_of_bins(scene: &PackedScene, bins: f32) -> f32 {
 }
 
 /// The fan's light in one bin: the mean of its weight over the covered wavelengths, times how much
-/// of the bin they are.
+/// of the bin they are. Where a parabola dips below 0, others are as much too high.
 #[inline]
 pub fn bin_weight(band: &Band, part: &BinPart) -> f32 {
     let weight = &band.weight;
     let mean = weight.a * part.position_squared + 2.0 * weight.b * part.position + weight.c;
-    part.overlap * mean.max(0.0)
+    part.overlap * mean
 }
 
 /// Transmittance e^(−α·d) of the path that the fan has still to pay for, in one bin.
@@ -156,9 +156,10 @@ impl AxisWeight {
         means: &'a [f32],
         squares: &'a [f32],
     ) -> impl Iterator<Item = f32> + 'a {
-        means.iter().zip(squares).map(|(mean, square)| {
-            (self.constant + self.linear * mean + self.square * square).max(0.0)
-        })
+        means
+            .iter()
+            .zip(squares)
+            .map(|(mean, square)| self.constant + self.linear * mean + self.square * square)
     }
 }
 

@@ -5,10 +5,9 @@ use glam::Vec3A;
 use crate::kernel::axis::{axis_position_of, indices_at, wavelength_at};
 use crate::kernel::band::{fan_energy, retire_fan};
 use crate::kernel::fan::{
-    Fan, axis_position_in, axis_width, fan_through, part_of_fan, position_of,
+    Fan, axis_position_in, axis_width, fan_through, part_of_fan, position_of, segment_count,
 };
 use crate::kernel::fan_lights::end_at_lights;
-use crate::kernel::fan_trace::segment_count;
 use crate::kernel::fan_walk::{fate_of_fan, is_worth_dividing, largest, least_of, send_fan};
 use crate::kernel::fork::{absorber_of, interface_at, medium_beyond};
 use crate::kernel::interface::Interface;
@@ -181,7 +180,15 @@ pub fn drawn_to_critical(scene: &PackedScene, fan: &Fan, at: &Interface) -> (Fan
     let mean = 0.5 * (low.sqrt() + high.sqrt());
     let share = (mean * mean - low) / difference;
     let middle = position_of(fan, fan.axis.x + share * axis_width(fan));
-    (fan_through(fan, Vec3A::new(-1.0, middle, 1.0)), true)
+    let mut drawn = fan_through(fan, Vec3A::new(-1.0, middle, 1.0));
+    // Another parabola through the weights has another integral; the ledger must not notice.
+    let energy = fan_energy(scene, fan);
+    let drawn_energy = fan_energy(scene, &drawn);
+    if drawn_energy < 0.25 * energy || drawn_energy <= 0.0 {
+        return (*fan, false);
+    }
+    drawn.weight *= energy / drawn_energy;
+    (drawn, true)
 }
 
 /// The fan beyond the interface.
@@ -261,7 +268,8 @@ pub fn end_of_bin(scene: &PackedScene, fan: &Fan, position: f32) -> f32 {
     let lambda_nm = wavelength_at(scene, axis_position_in(fan, position));
     let bin = ((lambda_nm - LAMBDA_MIN_NM) / width_nm + 1e-3).floor();
     let end = axis_position_of(scene, LAMBDA_MIN_NM + (bin + 1.0) * width_nm);
-    if end < fan.axis.z { position_of(fan, end) } else { 1.0 }
+    // Rounding must not put it where the position is already.
+    if end < fan.axis.z { position_of(fan, end).max(position + 1e-3) } else { 1.0 }
 }
 
 /// Whether directions bend too much between the nodes for a parabola to follow them: what three

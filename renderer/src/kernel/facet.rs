@@ -123,7 +123,8 @@ fn share_inside<S: Simd>(simd: S, a: S::f32s, b: S::f32s, c: S::f32s, end: S::f3
     let minus_two_c = simd.mul_f32s(simd.splat_f32s(-2.0), c);
     let numerator = simd.select_f32s(falls, simd.sub_f32s(root, b), minus_two_c);
     let twice_a = simd.add_f32s(a, a);
-    let denominator = simd.select_f32s(falls, twice_a, simd.add_f32s(b, root));
+    let rising = simd.max_f32s(simd.add_f32s(b, root), simd.splat_f32s(1e-30));
+    let denominator = simd.select_f32s(falls, twice_a, rising);
     let share = simd.div_f32s(numerator, denominator);
     let share = simd.min_f32s(simd.max_f32s(share, zero), one);
     let is_outside = simd.greater_than_f32s(end, simd.splat_f32s(FACET_TOLERANCE_MM));

@@ -9,7 +9,7 @@
 use glam::{Vec3, Vec3A};
 
 use crate::kernel::nodes::{
-    Nodes, basis_at, basis_of, blend, blend_nodes, equal_nodes, normalize_each,
+    Nodes, basis_at, basis_of, blend, blend_nodes, equal_nodes, middle_node, normalize_each,
 };
 use crate::kernel::parabola::{parabola_through, position_where};
 use crate::kernel::ray::Ray;
@@ -42,23 +42,21 @@ pub struct Fan {
     pub absorber: u32,
 }
 
-impl Fan {
-    /// The whole spectrum along one ray, with weight 1.
-    #[inline]
-    pub fn white(origin: Vec3, direction: Vec3) -> Self {
-        Self {
-            origin: equal_nodes(origin),
-            direction: equal_nodes(direction),
-            weight: Vec3A::ONE,
-            path_mm: Vec3A::ZERO,
-            axis: Vec3A::new(0.0, 0.5, 1.0),
-            instance: NONE,
-            facet: NONE,
-            medium: NONE,
-            enclosing: NONE,
-            depth: 0,
-            absorber: NONE,
-        }
+/// The whole spectrum along one ray, with weight 1.
+#[inline]
+pub fn white_fan(origin: Vec3, direction: Vec3) -> Fan {
+    Fan {
+        origin: equal_nodes(origin),
+        direction: equal_nodes(direction),
+        weight: Vec3A::ONE,
+        path_mm: Vec3A::ZERO,
+        axis: Vec3A::new(0.0, 0.5, 1.0),
+        instance: NONE,
+        facet: NONE,
+        medium: NONE,
+        enclosing: NONE,
+        depth: 0,
+        absorber: NONE,
     }
 }
 
@@ -88,6 +86,12 @@ pub fn is_dispersed(fan: &Fan) -> bool {
         || fan.direction.z.x != fan.direction.z.z
 }
 
+/// Rays that are traced for a fan: one while all wavelengths take the same way.
+#[inline]
+pub fn segment_count(fan: &Fan) -> u32 {
+    if is_dispersed(fan) { 3 } else { 1 }
+}
+
 /// The part of the fan between two positions in it.
 #[inline]
 pub fn part_of_fan(fan: &Fan, low: f32, high: f32) -> Fan {
@@ -101,7 +105,7 @@ pub fn fan_through(fan: &Fan, positions: Vec3A) -> Fan {
     let mut part = *fan;
     part.origin = blend_nodes(&fan.origin, basis);
     part.direction = normalize_each(&blend_nodes(&fan.direction, basis));
-    part.weight = (basis * fan.weight).max(Vec3A::ZERO);
+    part.weight = basis * fan.weight;
     part.path_mm = basis * fan.path_mm;
     part.axis = basis * fan.axis;
     part
@@ -111,8 +115,8 @@ pub fn fan_through(fan: &Fan, positions: Vec3A) -> Fan {
 #[inline]
 pub fn gathered(fan: &Fan) -> Fan {
     let mut together = *fan;
-    together.origin = equal_nodes(blend(&fan.origin, Vec3A::Y));
-    together.direction = equal_nodes(blend(&fan.direction, Vec3A::Y));
+    together.origin = equal_nodes(middle_node(&fan.origin));
+    together.direction = equal_nodes(middle_node(&fan.direction));
     together.path_mm = Vec3A::splat(fan.path_mm.y);
     together
 }

@@ -93,11 +93,10 @@ pub fn deposit_beside(
 ) {
     let before = part[1].min(shadow[0]);
     let behind = part[0].max(shadow[1]);
-    if part[0] < before {
-        deposit_band(walk, fan, part[0], before, radiance_row);
-    }
-    if behind < part[1] {
-        deposit_band(walk, fan, behind, part[1], radiance_row);
+    for [low, high] in [[part[0], before], [behind, part[1]]] {
+        if low < high {
+            deposit_band(walk, fan, low, high, radiance_row);
+        }
     }
 }
 

@@ -2,7 +2,9 @@
 
 use crate::kernel::band::retire_fan;
 use crate::kernel::divide::{NARROW, divide_fan};
-use crate::kernel::fan::{Fan, axis_position_in, is_dispersed, part_of_fan, ray_in_fan};
+use crate::kernel::fan::{
+    Fan, axis_position_in, part_of_fan, ray_in_fan, segment_count, white_fan,
+};
 use crate::kernel::fan_lights::end_at_lights;
 use crate::kernel::fan_matte::shade_fan;
 use crate::kernel::fan_walk::{largest, send_fan};
@@ -19,7 +21,7 @@ pub const REST_SHARE: f32 = 0.03;
 /// Follows `camera_ray` and all that comes of it to the end, as fans.
 #[inline]
 pub fn trace_fans(walk: &mut Walk<'_, Fan>, camera_ray: &Ray) {
-    send_fan(walk, &Fan::white(camera_ray.origin, camera_ray.direction));
+    send_fan(walk, &white_fan(camera_ray.origin, camera_ray.direction));
     while walk.has_rays() {
         follow_fan(walk);
     }
@@ -53,12 +55,6 @@ pub fn follow_fan(walk: &mut Walk<'_, Fan>) {
     }
 }
 
-/// Rays that are traced for a fan: one while all wavelengths take the same way.
-#[inline]
-pub fn segment_count(fan: &Fan) -> u32 {
-    if is_dispersed(fan) { 3 } else { 1 }
-}
-
 /// Sends what is outside of the reached part of the fan back to wait, and gives that part.
 #[inline]
 pub fn send_rest(walk: &mut Walk<'_, Fan>, fan: &Fan, reached: [f32; 2]) -> Fan {
@@ -74,11 +70,10 @@ pub fn send_rest(walk: &mut Walk<'_, Fan>, fan: &Fan, reached: [f32; 2]) -> Fan 
     if low == -1.0 && high == 1.0 {
         return *fan;
     }
-    if high < 1.0 {
-        send_fan(walk, &part_of_fan(fan, high, 1.0));
-    }
-    if low > -1.0 {
-        send_fan(walk, &part_of_fan(fan, -1.0, low));
+    for [from, to] in [[high, 1.0], [-1.0, low]] {
+        if from < to {
+            send_fan(walk, &part_of_fan(fan, from, to));
+        }
     }
     part_of_fan(fan, low, high)
 }

@@ -3,7 +3,7 @@
 use glam::{Vec3, Vec3A};
 
 use crate::kernel::band::{fan_energy, retire_fan};
-use crate::kernel::fan::{Fan, axis_width};
+use crate::kernel::fan::{Fan, axis_width, white_fan};
 use crate::kernel::rng;
 use crate::kernel::walk::{Fate, RayStack, TraceRules, Walk};
 use crate::packed::{NONE, PackedScene};
@@ -15,7 +15,7 @@ pub const FAN_STACK_LEN: usize = 128;
 impl RayStack<Fan> {
     /// An empty stack of fans.
     pub fn of_fans() -> Self {
-        Self::of(Fan::white(Vec3::ZERO, Vec3::Z), FAN_STACK_LEN)
+        Self::of(white_fan(Vec3::ZERO, Vec3::Z), FAN_STACK_LEN)
     }
 }
 

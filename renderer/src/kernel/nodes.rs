@@ -68,13 +68,13 @@ pub fn scale_each(nodes: &Nodes, factor: Vec3A) -> Nodes {
     Nodes { x: nodes.x * factor, y: nodes.y * factor, z: nodes.z * factor }
 }
 
-/// `from` and, times its own factor, `along` at each node.
+/// `start` and, times its own factor, `along` at each node.
 #[inline]
-pub fn advance_each(from: &Nodes, along: &Nodes, factor: Vec3A) -> Nodes {
+pub fn advance_each(start: &Nodes, along: &Nodes, factor: Vec3A) -> Nodes {
     Nodes {
-        x: from.x + along.x * factor,
-        y: from.y + along.y * factor,
-        z: from.z + along.z * factor,
+        x: start.x + along.x * factor,
+        y: start.y + along.y * factor,
+        z: start.z + along.z * factor,
     }
 }
 

@@ -36,8 +36,9 @@ pub fn reach(walk: &mut Walk<'_, Fan>, fan: &Fan, middle: &Ray, hit: &Hit) -> [f
         reached = clip_fan(scene, fan, middle, hit);
     }
     if !is_convex || !is_unobstructed(scene, middle) {
-        reached[0] = reach_towards(walk, fan, hit, reached[0]);
-        reached[1] = reach_towards(walk, fan, hit, reached[1]);
+        for end in &mut reached {
+            *end = reach_towards(walk, fan, hit, *end);
+        }
     }
     reached
 }
@@ -82,18 +83,19 @@ pub fn clip_fan(scene: &PackedScene, fan: &Fan, middle: &Ray, hit: &Hit) -> [f32
 /// middle one.
 #[inline]
 pub fn reach_towards(walk: &mut Walk<'_, Fan>, fan: &Fan, hit: &Hit, end: f32) -> f32 {
-    if meets_same(walk, fan, hit, end) {
-        return end;
-    }
     let mut same = 0.0;
     let mut other = end;
-    for _ in 0..REACH_BISECTIONS {
-        let between = 0.5 * (same + other);
-        if meets_same(walk, fan, hit, between) {
-            same = between;
+    let mut tried = end;
+    for _ in 0..=REACH_BISECTIONS {
+        if meets_same(walk, fan, hit, tried) {
+            same = tried;
         } else {
-            other = between;
+            other = tried;
         }
+        if same == end {
+            break;
+        }
+        tried = 0.5 * (same + other);
     }
     same
 }
@@ -111,11 +113,13 @@ pub fn meets_same(walk: &mut Walk<'_, Fan>, fan: &Fan, hit: &Hit, position: f32)
 /// dividing, all take the middle one's place.
 #[inline]
 pub fn arrive(scene: &PackedScene, fan: &Fan, hit: &Hit, height: f32) -> Fan {
-    let towards = dot_each(&fan.direction, hit.normal);
-    let mut distance = (Vec3A::splat(height) - dot_each(&fan.origin, hit.normal)) / towards;
-    let sense = if towards.y < 0.0 { -1.0 } else { 1.0 };
+    let along = dot_each(&fan.direction, hit.normal);
+    let sense = if along.y < 0.0 { -1.0 } else { 1.0 };
+    let towards = along * sense;
+    let gap = (Vec3A::splat(height) - dot_each(&fan.origin, hit.normal)) * sense;
+    let mut distance = gap / towards.max(Vec3A::splat(1e-12));
     let mut arrived = *fan;
-    if least_of(towards * sense) < GRAZING || least_of(distance) < -DRIFT_MM {
+    if least_of(towards) < GRAZING || least_of(distance) < -DRIFT_MM {
         arrived = gathered(fan);
         distance = Vec3A::splat(distance.y);
     }

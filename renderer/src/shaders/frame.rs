@@ -49,6 +49,12 @@ pub struct Frame {
     pub top_node_count: u32,
     /// The first of the walkers that get on; as many follow as are dispatched.
     pub first_walker: u32,
+    /// Number of bodies.
+    pub instance_count: u32,
+    /// First number of the dispersion axis.
+    pub axis: u32,
+    /// Fills the struct to a multiple of 16 bytes.
+    pub padding: [u32; 2],
 }
 
 impl Frame {
@@ -61,6 +67,8 @@ impl Frame {
             bin_width_nm: scene.bins.width_nm(),
             disc_count: scene.discs.len() as u32,
             top_node_count: scene.top_nodes.len() as u32,
+            instance_count: scene.instances.len() as u32,
+            axis: scene.axis,
             ..Self::zeroed()
         }
     }

@@ -31,11 +31,7 @@ fn overlap_amount(ray: Ray, cone: Cone) -> f32 {
     let b = dot(off_center, sideways) - cone.sin_squared_radius * dot(ray.direction, ray.spread);
     let drift = dot(ray.spread, cone.center);
     // The fan is cut where it crosses the edge; each part is inside or outside as its middle is.
-    let root = sqrt(max(b * b - a * c, 0.0));
-    let q = select(-root - b, root - b, b < 0.0);
-    let first = cut_at(q, a);
-    let second = cut_at(c, q);
-    let cuts = vec4f(-1.0, min(first, second), max(first, second), 1.0);
+    let cuts = vec4f(-1.0, crossings(Parabola(a, b, c)), 1.0);
     var inside = 0.0;
     for (var i = 0u; i < 3u; i++) {
         let u = 0.5 * (cuts[i] + cuts[i + 1u]);
@@ -44,14 +40,6 @@ fn overlap_amount(ray: Ray, cone: Cone) -> f32 {
         }
     }
     return 0.5 * inside;
-}
-
-// The quotient, brought into −1..=1 without dividing by what is too small for it.
-fn cut_at(numerator: f32, denominator: f32) -> f32 {
-    if abs(numerator) < abs(denominator) {
-        return numerator / denominator;
-    }
-    return select(-1.0, 1.0, (numerator < 0.0) == (denominator < 0.0));
 }
 
 // The part of the ray's fan, in 0..=1, that points into the upper half space.

@@ -17,7 +17,10 @@ pub use frame::Frame;
 
 use crate::kernel::mesh::Sides;
 use crate::kernel::walk::Fate;
-use crate::kernel::{interface, intersect, mesh, ray, rng, spread, walk};
+use crate::kernel::{
+    band, divide, facet, fan_lights, fan_matte, fan_walk, interface, intersect, mesh, ray, reach,
+    rng, spread, walk,
+};
 use crate::material::Outside;
 use crate::packed;
 use crate::spectrum::{LAMBDA_MAX_NM, LAMBDA_MIN_NM};
@@ -52,16 +55,31 @@ pub const KERNEL: &[ShaderModule] = modules![
     "absorption",
     "walk",
     "deposit",
+    "parabola",
     "lights",
     "passage",
     "print",
     "diffuse",
     "fork",
     "trace",
+    "nodes",
+    "axis",
+    "fan",
+    "band",
+    "fan_walk",
+    "facet",
+    "reach",
+    "fan_lights",
+    "fan_matte",
+    "divide",
+    "fan_trace",
 ];
 
-/// What runs the kernel on a graphics device.
-pub(crate) const WALKERS: &[ShaderModule] = modules!["walkers"];
+/// What runs the kernel on a graphics device: walkers that follow rays.
+pub(crate) const RAY_WALKERS: &[ShaderModule] = modules!["ray_walkers", "walkers"];
+
+/// The same: walkers that follow fans.
+pub(crate) const FAN_WALKERS: &[ShaderModule] = modules!["fan_walkers", "walkers"];
 
 /// From the film to CIE XYZ and mean counts.
 pub(crate) const EXPOSE: &[ShaderModule] = modules!["finite", "expose"];
@@ -124,6 +142,7 @@ fn kernel_constants() -> String {
         ("NONE", U32(packed::NONE)),
         ("CONVEX", U32(packed::CONVEX)),
         ("INDEX_TABLE_LEN", U32(packed::INDEX_TABLE_LEN as u32)),
+        ("AXIS_LEN", U32(packed::AXIS_LEN as u32)),
         ("LAMBDA_MIN_NM", F32(LAMBDA_MIN_NM)),
         ("LAMBDA_MAX_NM", F32(LAMBDA_MAX_NM)),
         ("SMALLEST_SQUARE", F32(f32::MIN_POSITIVE)),
@@ -153,5 +172,22 @@ fn kernel_constants() -> String {
         ("FATE_TOO_WEAK", U32(Fate::TooWeak as u32)),
         ("FATE_TOO_DEEP", U32(Fate::TooDeep as u32)),
         ("FATE_TOO_MANY", U32(Fate::TooMany as u32)),
+        ("FAN_STACK_LEN", U32(fan_walk::FAN_STACK_LEN as u32)),
+        ("FACET_TOLERANCE_MM", F32(facet::FACET_TOLERANCE_MM)),
+        ("LEAST_SCALE", F32(facet::LEAST_SCALE)),
+        ("REACH_BISECTIONS", U32(reach::REACH_BISECTIONS)),
+        ("GRAZING", F32(reach::GRAZING)),
+        ("DRIFT_MM", F32(reach::DRIFT_MM)),
+        ("LEEWAY", F32(fan_lights::LEEWAY)),
+        ("FAR_OFF_MARGIN", F32(fan_lights::FAR_OFF_MARGIN)),
+        ("APPROACH_STEPS", U32(fan_lights::APPROACH_STEPS)),
+        ("EDGE_BISECTIONS", U32(fan_lights::EDGE_BISECTIONS)),
+        ("WEIGHT_TOLERANCE", F32(fan_matte::WEIGHT_TOLERANCE)),
+        ("GAUSS_POINT", F32(band::GAUSS_POINT)),
+        ("STRAIGHT", F32(band::STRAIGHT)),
+        ("NARROW", F32(divide::NARROW)),
+        ("DIRECTION_TOLERANCE", F32(divide::DIRECTION_TOLERANCE)),
+        ("DRAWING_CONTRAST", F32(divide::DRAWING_CONTRAST)),
+        ("LEAF_SHARE", F32(divide::LEAF_SHARE)),
     ])
 }

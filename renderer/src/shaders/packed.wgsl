@@ -95,7 +95,7 @@ struct TraceRules {
     significance_threshold: f32,
     max_depth: u32,
     perturb: u32,
-    padding: u32,
+    cut_threshold: f32,
 }
 
 // One dispatch: the camera, the rules, the lights without a place, and the work to be done.
@@ -119,6 +119,9 @@ struct Frame {
     disc_count: u32,
     top_node_count: u32,
     first_walker: u32,
+    instance_count: u32,
+    axis: u32,
+    padding: vec2u,
 }
 
 @group(0) @binding(0) var<storage, read> instances: array<Instance>;

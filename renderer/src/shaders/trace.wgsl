@@ -8,7 +8,7 @@ fn follow() {
     let hit = next_surface(&ray);
     if hit.instance != NONE {
         ray.origin += ray.direction * hit.distance;
-        if runs_in_absorber(ray) {
+        if runs_in_absorber(ray.absorber, ray.medium) {
             ray.path_mm += hit.distance;
         }
         if !meets_opaque(hit) {
@@ -48,11 +48,9 @@ fn is_lost(ray: Ray, hit: Hit) -> bool {
     return hit.instance == NONE && ray.medium != NONE;
 }
 
-// Whether the ray's medium is the material whose path it counts.
-fn runs_in_absorber(ray: Ray) -> bool {
-    return ray.absorber != NONE
-        && ray.medium != NONE
-        && instances[ray.medium].material == ray.absorber;
+// Whether the body `medium` that a ray runs in is of the material `absorber` whose path it counts.
+fn runs_in_absorber(absorber: u32, medium: u32) -> bool {
+    return absorber != NONE && medium != NONE && instances[medium].material == absorber;
 }
 
 // Whether the ray ends at `hit`.

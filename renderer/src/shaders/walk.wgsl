@@ -21,7 +21,7 @@ struct Walk {
     tally: Tally,
 }
 
-// `STACK_LEN` rays per walker.
+// `STACK_LEN` rays per walker, or in their place fans.
 @group(1) @binding(1) var<storage, read_write> stack: array<Ray>;
 // One value per bin and walker.
 @group(1) @binding(2) var<storage, read_write> radiance: array<f32>;
@@ -45,20 +45,15 @@ fn pop() -> Ray {
     return stack[walk.walker * STACK_LEN + walk.stack_count];
 }
 
-// Puts a ray on the stack, or into the books where it is too weak, too deep or too much.
-fn send(ray: Ray) {
-    let fate = fate_of(ray, walk.stack_count);
-    if fate == FATE_KEPT {
-        stack[walk.walker * STACK_LEN + walk.stack_count] = ray;
-        walk.stack_count++;
-        return;
-    }
-    let energy = retire(ray);
-    if fate == FATE_TOO_WEAK {
-        walk.tally.pruned += energy;
-    } else {
-        walk.tally.cut_off += energy;
-    }
+// Number of rays that wait.
+fn waiting() -> u32 {
+    return walk.stack_count;
+}
+
+// Has a ray wait, for which there must be room.
+fn push(ray: Ray) {
+    stack[walk.walker * STACK_LEN + walk.stack_count] = ray;
+    walk.stack_count++;
 }
 
 // The energy that a ray still carries at its end, after its path's absorption is booked.
@@ -67,6 +62,21 @@ fn retire(ray: Ray) -> f32 {
     let kept = mean_transmittance(ray);
     walk.tally.absorbed += energy * (1.0 - kept);
     return energy * kept;
+}
+
+// Puts a ray on the stack, or into the books where it is too weak, too deep or too much.
+fn send(ray: Ray) {
+    let fate = fate_of(ray, waiting());
+    if fate == FATE_KEPT {
+        push(ray);
+        return;
+    }
+    let energy = retire(ray);
+    if fate == FATE_TOO_WEAK {
+        walk.tally.pruned += energy;
+    } else {
+        walk.tally.cut_off += energy;
+    }
 }
 
 // What becomes of a ray that is sent on while `waiting` others wait.

@@ -78,7 +78,7 @@ fn walk_items(@builtin(global_invocation_id) id: vec3u) {
             }
         }
         if has_rays() {
-            follow();
+            get_on();
         }
     }
     if !has_rays() {
@@ -135,7 +135,7 @@ fn begin_item() -> bool {
     for (var bin = 0u; bin < frame.bin_count; bin++) {
         radiance[walk.walker * frame.bin_count + bin] = 0.0;
     }
-    send(camera_ray(x, y, walk.pass_index));
+    set_out(camera_ray(x, y, walk.pass_index));
     return true;
 }
 
@@ -191,7 +191,7 @@ fn book_tally() {
     item_counts.segments += walk.tally.segments;
     item_counts.depth = max(item_counts.depth, walk.tally.depth);
     item_counts.pruned += walk.tally.pruned;
-    books.segments = plus(books.segments, walk.tally.segments);
+    books.segments = plus(books.segments, vec2u(walk.tally.segments, 0u));
     books.returned = plus(books.returned, energy_units(walk.tally.returned));
     books.absorbed = plus(books.absorbed, energy_units(walk.tally.absorbed));
     books.pruned = plus(books.pruned, energy_units(walk.tally.pruned));
@@ -200,15 +200,17 @@ fn book_tally() {
     walk.tally = Tally();
 }
 
-// An energy as a whole number; rounding may have left it a trifle below 0 or above 1.
-fn energy_units(energy: f32) -> u32 {
-    return u32(clamp(energy, 0.0, 2.0) * ENERGY_UNIT + 0.5);
+// An energy as a whole number of two words, the lower one first; one below 0 in two's complement.
+// Rounding may have left it a trifle above 1.
+fn energy_units(energy: f32) -> vec2u {
+    let units = i32(round(clamp(energy, -1.9, 1.9) * ENERGY_UNIT));
+    return vec2u(bitcast<u32>(units), bitcast<u32>(units >> 31u));
 }
 
-// The sum of a number of two words and one of one word.
-fn plus(sum: vec2u, value: u32) -> vec2u {
-    let low = sum.x + value;
-    return vec2u(low, sum.y + u32(low < value));
+// The sum of two numbers of two words.
+fn plus(a: vec2u, b: vec2u) -> vec2u {
+    let low = a.x + b.x;
+    return vec2u(low, a.y + b.y + u32(low < a.x));
 }
 
 // Enters the books into an account.

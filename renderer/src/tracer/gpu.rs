@@ -124,7 +124,8 @@ impl Tracer for GpuTracer {
         }
         let frame = scene.frame.seen(&view.frame, film.size(), rules(view, settings));
         let (graphics, pipeline) = (&self.graphics, &self.pipeline);
-        let order = Order { graphics, pipeline, scene, is_cancelled };
+        let splitting = settings.splitting;
+        let order = Order { graphics, pipeline, splitting, scene, is_cancelled };
         let statistics = self.dispatcher().trace(order, film, frame, passes)?;
         film.complete_passes(passes);
         Ok(statistics)

@@ -2,6 +2,9 @@
 
 mod device;
 mod dice;
+mod fan_dice;
+mod fan_words;
+mod fans;
 mod tolerance;
 mod words;
 mod world;
@@ -11,6 +14,7 @@ use std::fmt::Write as _;
 use brilliance_renderer::shaders::{KERNEL, ShaderModule};
 
 pub(crate) use dice::{Dice, throw};
+pub(crate) use fans::Meeting;
 pub(crate) use tolerance::{EXACT, ROUNDING, Tolerance};
 pub(crate) use words::{Case, Put, Take};
 pub(crate) use world::World;

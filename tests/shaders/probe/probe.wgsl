@@ -97,6 +97,38 @@ fn take_cone() -> Cone {
     return cone;
 }
 
+fn take_nodes() -> Nodes {
+    var nodes: Nodes;
+    nodes.x = take_vec3();
+    nodes.y = take_vec3();
+    nodes.z = take_vec3();
+    return nodes;
+}
+
+fn take_parabola() -> Parabola {
+    var parabola: Parabola;
+    parabola.a = take_f32();
+    parabola.b = take_f32();
+    parabola.c = take_f32();
+    return parabola;
+}
+
+fn take_fan() -> Fan {
+    var fan: Fan;
+    fan.origin = take_nodes();
+    fan.direction = take_nodes();
+    fan.weight = take_vec3();
+    fan.path_mm = take_vec3();
+    fan.axis = take_vec3();
+    fan.instance = take_u32();
+    fan.facet = take_u32();
+    fan.medium = take_u32();
+    fan.enclosing = take_u32();
+    fan.depth = take_u32();
+    fan.absorber = take_u32();
+    return fan;
+}
+
 fn put_u32(word: u32) {
     if written < probing.output_len {
         outputs[case_index * (1u + probing.output_len) + 1u + written] = word;
@@ -189,6 +221,32 @@ fn put_reflectance(reflectance: Reflectance) {
     put_vec3(reflectance.weights);
 }
 
+fn put_nodes(nodes: Nodes) {
+    put_vec3(nodes.x);
+    put_vec3(nodes.y);
+    put_vec3(nodes.z);
+}
+
+fn put_parabola(parabola: Parabola) {
+    put_f32(parabola.a);
+    put_f32(parabola.b);
+    put_f32(parabola.c);
+}
+
+fn put_fan(fan: Fan) {
+    put_nodes(fan.origin);
+    put_nodes(fan.direction);
+    put_vec3(fan.weight);
+    put_vec3(fan.path_mm);
+    put_vec3(fan.axis);
+    put_u32(fan.instance);
+    put_u32(fan.facet);
+    put_u32(fan.medium);
+    put_u32(fan.enclosing);
+    put_u32(fan.depth);
+    put_u32(fan.absorber);
+}
+
 // Each case is a walker of its own.
 fn begin_walk() {
     walk.walker = case_index;
@@ -201,6 +259,23 @@ fn begin_walk() {
 
 // The books, the radiance, and the rays that wait, the last one first.
 fn put_walk() {
+    put_books();
+    put_u32(walk.stack_count);
+    while has_rays() {
+        put_ray(pop());
+    }
+}
+
+// The same of a walk with fans.
+fn put_fan_walk() {
+    put_books();
+    put_u32(walk.stack_count);
+    while has_rays() {
+        put_fan(pop_fan());
+    }
+}
+
+fn put_books() {
     put_u32(walk.tally.segments);
     put_u32(walk.tally.depth);
     put_f32(walk.tally.returned);
@@ -210,9 +285,5 @@ fn put_walk() {
     put_f32(walk.tally.lost);
     for (var bin = 0u; bin < frame.bin_count; bin++) {
         put_f32(radiance[case_index * frame.bin_count + bin]);
-    }
-    put_u32(walk.stack_count);
-    while has_rays() {
-        put_ray(pop());
     }
 }

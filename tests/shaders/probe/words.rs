@@ -314,6 +314,14 @@ impl Put {
 
     /// The books, the radiance, and the rays that wait, the last one first.
     pub(crate) fn walk(&mut self, walk: &mut Walk<'_>) {
+        self.books(walk);
+        self.u32(walk.waiting());
+        while walk.has_rays() {
+            self.ray(&walk.pop());
+        }
+    }
+
+    pub(super) fn books<R: Copy>(&mut self, walk: &Walk<'_, R>) {
         let tally = walk.tally;
         self.u32(tally.segments);
         self.u32(tally.depth);
@@ -322,14 +330,6 @@ impl Put {
         }
         for &value in walk.radiance.iter() {
             self.f32(value);
-        }
-        let mut waiting = Vec::new();
-        while walk.has_rays() {
-            waiting.push(walk.pop());
-        }
-        self.u32(waiting.len() as u32);
-        for ray in &waiting {
-            self.ray(ray);
         }
     }
 }

@@ -158,7 +158,7 @@ impl World {
             significance_threshold: 1e-3,
             max_depth: 40,
             perturb: 1,
-            padding: 0,
+            cut_threshold: 2e-4,
         };
         let scene = PackedScene::new(scene, Bins::new(9)).expect("the scene packs");
         Self { name, scene, camera, size, rules }

@@ -3,7 +3,7 @@
 use std::f32::consts::PI;
 
 use brilliance_renderer::kernel::lights::{
-    Cone, cut_at, disc_cone, is_far_off, overlap_amount, overlap_hemisphere, ray_light,
+    Cone, disc_cone, is_far_off, overlap_amount, overlap_hemisphere, ray_light,
 };
 use brilliance_renderer::kernel::ray::Ray;
 use brilliance_renderer::packed::NONE;
@@ -58,13 +58,6 @@ fn overlaps() -> Vec<Probe> {
             },
             // Where the fan is so narrow that rounding puts all of it on one side of the edge.
             tolerance: OVERLAP.but(0.002),
-        },
-        Probe {
-            name: "cut_at",
-            wgsl: "put_f32(cut_at(take_f32(), take_f32()));",
-            rust: |_, take, put| put.f32(cut_at(take.f32(), take.f32())),
-            cases: |_| quotients(),
-            tolerance: ROUNDING.or(0.0),
         },
         Probe {
             name: "overlap_hemisphere",
@@ -125,22 +118,6 @@ fn fan_at_cone(dice: &mut Dice, cone: &Cone) -> Ray {
     let outwards = (direction - cone.center).normalize_or_zero() * width;
     let spread = if width > 0.0 { dice.spread(direction, 0.5 * width, width) } else { Vec3::ZERO };
     Ray { direction, spread: dice.pick(&[spread, outwards, -outwards]), ..ray }
-}
-
-/// Quotients on both sides of ±1, and of zeros of both signs.
-fn quotients() -> Vec<Case> {
-    let mut cases = throw(500, |dice| {
-        let signs = [1.0, -1.0];
-        let [numerator, denominator] =
-            [0; 2].map(|_| dice.magnitude(1e-12, 1e3) * dice.pick(&signs));
-        Case::new().f32(numerator).f32(denominator)
-    });
-    for numerator in [0.0, -0.0, 1.0, -1.0] {
-        for denominator in [0.0, -0.0, 1.0, -1.0] {
-            cases.push(Case::new().f32(numerator).f32(denominator));
-        }
-    }
-    cases
 }
 
 /// Fans above, below, across and along the horizon.

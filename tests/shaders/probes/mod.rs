@@ -1,19 +1,31 @@
 //! The kernel's functions on both sides, module by module.
 
 mod absorption;
+mod axis;
+mod band;
 mod camera;
 mod convex;
 mod deposit;
 mod diffuse;
+mod divide;
+mod facet;
+mod fan;
+mod fan_lights;
+mod fan_matte;
+mod fan_trace;
+mod fan_walk;
 mod fork;
 mod interface;
 mod intersect;
 mod lights;
 mod mesh;
+mod nodes;
 mod packed;
+mod parabola;
 mod passage;
 mod print;
 mod ray;
+mod reach;
 mod rng;
 mod spread;
 mod trace;

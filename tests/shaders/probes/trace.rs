@@ -69,9 +69,11 @@ pub(super) fn table() -> Table {
             },
             Probe {
                 name: "runs_in_absorber",
-                wgsl: "put_bool(runs_in_absorber(take_ray()));",
+                wgsl: "let ray = take_ray();
+    put_bool(runs_in_absorber(ray.absorber, ray.medium));",
                 rust: |world, take, put| {
-                    put.bool(runs_in_absorber(&world.scene, &take.ray()));
+                    let ray = take.ray();
+                    put.bool(runs_in_absorber(&world.scene, ray.absorber, ray.medium));
                 },
                 cases: |world| {
                     world.rays(600).into_iter().map(|ray| Case::new().ray(&ray)).collect()

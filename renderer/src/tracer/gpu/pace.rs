@@ -2,7 +2,9 @@
 
 use std::time::Duration;
 
-use crate::packed::{CONVEX, PackedScene};
+use crate::kernel::reach::REACH_BISECTIONS;
+use crate::packed::{CONVEX, NONE, PackedMaterial, PackedScene};
+use crate::settings::Splitting;
 
 /// Time that a submission should take. Two are in flight, so that the device, which may draw a
 /// desktop too, is never away for longer than twice that.
@@ -51,18 +53,41 @@ impl Ration {
     }
 }
 
-/// Rays per walker that a software device can follow in this scene without running out of turns; 0
-/// where not even one.
-pub(super) fn software_budget(scene: &PackedScene) -> u32 {
-    let bodies = scene.instances.iter().map(|instance| match instance.kind {
-        CONVEX => u64::from(instance.count),
-        _ => MESH_TURNS,
-    });
-    let per_segment = scene.top_nodes.len() as u64 + bodies.sum::<u64>();
+/// Rays divided like this that a walker on a software device can follow in this scene without running
+/// out of turns; 0 where not even one.
+pub(super) fn software_budget(scene: &PackedScene, splitting: Splitting) -> u32 {
+    let per_segment = scene.top_nodes.len() as u64 + body_turns(scene).sum::<u64>();
     // At worst a matte point follows all passages back in all bins, by three rays each.
     let per_passage = 1 + 3 * per_segment * scene.bins.count() as u64;
     let per_ray = SOFTWARE_RAY_TURNS + per_passage * scene.passages.len() as u64;
-    (SOFTWARE_TURNS / per_ray) as u32
+    let more = match splitting {
+        Splitting::Paper => 0,
+        Splitting::Exact => fan_turns(scene),
+    };
+    (SOFTWARE_TURNS / (per_ray + more)) as u32
+}
+
+/// Turns that a ray takes at most to meet each of the bodies, or near enough.
+fn body_turns(scene: &PackedScene) -> impl Iterator<Item = u64> + '_ {
+    scene.instances.iter().map(|instance| match instance.kind {
+        CONVEX => u64::from(instance.count),
+        _ => MESH_TURNS,
+    })
+}
+
+/// Turns that a fan takes beyond those of a ray: in search of where it parts it traces rays, and so
+/// it does at a matte surface, one to each light for each bin. Such a ray comes near to one body.
+fn fan_turns(scene: &PackedScene) -> u64 {
+    let per_segment = scene.top_nodes.len() as u64 + body_turns(scene).max().unwrap_or(0);
+    let is_on_ground = scene.ground.reflectance[0] != NONE;
+    let mut segments = 0;
+    if is_on_ground || scene.instances.len() > 1 {
+        segments += 2 * u64::from(1 + REACH_BISECTIONS);
+    }
+    if is_on_ground || scene.materials.iter().any(PackedMaterial::is_opaque) {
+        segments += (scene.bins.count() * (scene.discs.len() + 1)) as u64;
+    }
+    segments * per_segment
 }
 
 /// Sizes the next submission from what the last ones took.

@@ -2,7 +2,7 @@
 
 use wgpu::{
     BindGroupLayout, BindGroupLayoutEntry, BindingType, BufferBindingType, ComputePipeline,
-    ShaderStages,
+    PipelineLayout, ShaderStages,
 };
 
 use super::progress::{ACCOUNT_COUNT, ENERGY_UNIT, SUM_COUNT};
@@ -10,7 +10,10 @@ use super::walkers::STACK_BYTES;
 use crate::error::RendererError;
 use crate::film::Counts;
 use crate::gpu::Graphics;
-use crate::shaders::{Constant, KERNEL, WALKERS, append, join, print};
+use crate::settings::Splitting;
+use crate::shaders::{
+    Constant, FAN_WALKERS, KERNEL, RAY_WALKERS, ShaderModule, append, join, print,
+};
 
 /// Walkers of a workgroup.
 pub(super) const WORKGROUP_SIZE: u32 = 64;
@@ -26,7 +29,8 @@ pub(super) struct WalkPipeline {
     pub(super) scene_layout: BindGroupLayout,
     pub(super) walk_layout: BindGroupLayout,
     pub(super) film_layout: BindGroupLayout,
-    pub(super) pipeline: ComputePipeline,
+    rays: ComputePipeline,
+    fans: ComputePipeline,
 }
 
 impl WalkPipeline {
@@ -40,30 +44,48 @@ impl WalkPipeline {
             let scene_layout = layout(device, "scene", &[READ; SCENE_BUFFERS as usize]);
             let walk_layout = layout(device, "walk", &[READ, WRITE, WRITE]);
             let film_layout = layout(device, "film", &[WRITE, WRITE, WRITE]);
-            let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-                label: Some("walkers"),
-                source: wgpu::ShaderSource::Wgsl(source().into()),
-            });
             let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
                 label: Some("walkers"),
                 bind_group_layouts: &[Some(&scene_layout), Some(&walk_layout), Some(&film_layout)],
                 ..Default::default()
             });
-            let pipeline = device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-                label: Some("walkers"),
-                layout: Some(&layout),
-                module: &module,
-                entry_point: Some("walk_items"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                cache: None,
-            });
-            Self { scene_layout, walk_layout, film_layout, pipeline }
+            let rays = compile(device, &layout, "walkers with rays", RAY_WALKERS);
+            let fans = compile(device, &layout, "walkers with fans", FAN_WALKERS);
+            Self { scene_layout, walk_layout, film_layout, rays, fans }
         })
+    }
+
+    /// What follows rays divided like this.
+    pub(super) fn of(&self, splitting: Splitting) -> &ComputePipeline {
+        match splitting {
+            Splitting::Paper => &self.rays,
+            Splitting::Exact => &self.fans,
+        }
     }
 }
 
+fn compile(
+    device: &wgpu::Device,
+    layout: &PipelineLayout,
+    label: &str,
+    walkers: &[ShaderModule],
+) -> ComputePipeline {
+    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: Some(label),
+        source: wgpu::ShaderSource::Wgsl(source(walkers).into()),
+    });
+    device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+        label: Some(label),
+        layout: Some(layout),
+        module: &module,
+        entry_point: Some("walk_items"),
+        compilation_options: wgpu::PipelineCompilationOptions::default(),
+        cache: None,
+    })
+}
+
 /// The kernel and the walkers that run it.
-fn source() -> String {
+fn source(walkers: &[ShaderModule]) -> String {
     let mut source = print([
         ("WORKGROUP_SIZE", Constant::U32(WORKGROUP_SIZE)),
         ("ACCOUNT_COUNT", Constant::U32(ACCOUNT_COUNT as u32)),
@@ -72,7 +94,7 @@ fn source() -> String {
         ("COUNTS_LEN", Constant::U32(Counts::LEN as u32)),
     ]);
     source.push_str(&join(KERNEL));
-    append(&mut source, WALKERS);
+    append(&mut source, walkers);
     source
 }
 
@@ -127,14 +149,14 @@ fn layout(device: &wgpu::Device, label: &str, buffers: &[BufferBindingType]) -> 
 #[cfg(test)]
 mod tests {
     use super::super::progress::{Account, Progress};
-    use super::super::walkers::{RAY_BYTES, WALKER_BYTES};
+    use super::super::walkers::{FAN_BYTES, RAY_BYTES, WALKER_BYTES};
     use super::*;
     use crate::shaders::Frame;
     use crate::shaders::layout::{assert_twins, layout_of, parse};
 
     #[test]
     fn both_sides_lay_out_the_same_structs() {
-        let module = &parse(&source());
+        let module = &parse(&source(RAY_WALKERS));
         assert_twins!(
             module,
             Frame {
@@ -157,11 +179,15 @@ mod tests {
                 disc_count,
                 top_node_count,
                 first_walker,
+                instance_count,
+                axis,
+                padding,
             }
         );
         assert_twins!(module, Account { items, settled_items, max_segments, sums });
         assert_twins!(module, Progress { next_item, accounts });
         assert_eq!(layout_of(module, "Walker").0 as u64, WALKER_BYTES);
         assert_eq!(layout_of(module, "Ray").0 as u64, RAY_BYTES);
+        assert_eq!(layout_of(module, "Fan").0 as u64, FAN_BYTES);
     }
 }

@@ -21,7 +21,7 @@ pub(super) struct Account {
     pub(super) settled_items: u32,
     /// Most segments of one item.
     pub(super) max_segments: u32,
-    /// Two words each, the lower one first.
+    /// Two words each, the lower one first; those of energies have a sign.
     pub(super) sums: [u32; 2 * SUM_COUNT],
 }
 
@@ -42,10 +42,10 @@ impl Progress {
 
     /// The accounts taken together; complete where all items that were begun are done.
     pub(super) fn statistics(&self) -> Statistics {
-        let sum = |number: usize| -> u64 {
+        let sum = |number: usize| -> i64 {
             let words = |account: &Account| [0, 1].map(|word| account.sums[2 * number + word]);
             let sums = self.accounts.iter().map(words);
-            sums.map(|[low, high]| u64::from(high) << 32 | u64::from(low)).sum()
+            sums.map(|[low, high]| (u64::from(high) << 32 | u64::from(low)).cast_signed()).sum()
         };
         let energy = |number: usize| sum(number) as f64 / f64::from(ENERGY_UNIT);
         let settled = self.accounts.iter().map(|account| u64::from(account.settled_items));
@@ -53,7 +53,7 @@ impl Progress {
         let max_segments = self.accounts.iter().map(|account| account.max_segments).max();
         Statistics {
             camera_rays,
-            segments: sum(0),
+            segments: sum(0).cast_unsigned(),
             max_segments_per_camera_ray: max_segments.unwrap_or(0),
             ledger: Ledger {
                 entered: camera_rays as f64,

@@ -15,6 +15,7 @@ use super::scene::GpuScene;
 use super::walkers::Walkers;
 use crate::error::RendererError;
 use crate::gpu::{Arrival, Graphics, Readback};
+use crate::settings::Splitting;
 use crate::shaders::Frame;
 use crate::statistics::Statistics;
 
@@ -28,6 +29,7 @@ const IN_FLIGHT: usize = 2;
 pub(super) struct Order<'a> {
     pub(super) graphics: &'a Graphics,
     pub(super) pipeline: &'a WalkPipeline,
+    pub(super) splitting: Splitting,
     pub(super) scene: &'a GpuScene,
     pub(super) is_cancelled: &'a (dyn Fn() -> bool + Sync),
 }
@@ -43,7 +45,7 @@ pub(super) struct Dispatcher {
     idle: Vec<Readback>,
     last_done_at: Instant,
     /// What was traced last; of its scene only which one it was.
-    last_traced: Option<(Frame, Weak<()>)>,
+    last_traced: Option<(Frame, Splitting, Weak<()>)>,
 }
 
 /// A submission that the device is at.
@@ -86,7 +88,7 @@ impl Dispatcher {
         mut frame: Frame,
         passes: u32,
     ) -> Result<Statistics, RendererError> {
-        self.heed_changes(&frame, order.scene);
+        self.heed_changes(&frame, order);
         let mut statistics = Statistics::default();
         let mut items = 0;
         let mut clear: Clear = Walkers::forget_all;
@@ -110,14 +112,17 @@ impl Dispatcher {
     }
 
     /// The pace that was right for one scene, view and rules may be far too fast for others.
-    fn heed_changes(&mut self, frame: &Frame, scene: &GpuScene) {
-        let scene = Arc::downgrade(&scene.identity);
-        let is_known = self.last_traced.as_ref().is_some_and(|(last_frame, last_scene)| {
-            bytes_of(last_frame) == bytes_of(frame) && last_scene.ptr_eq(&scene)
-        });
+    fn heed_changes(&mut self, frame: &Frame, order: Order) {
+        let scene = Arc::downgrade(&order.scene.identity);
+        let is_known =
+            self.last_traced.as_ref().is_some_and(|(last_frame, splitting, last_scene)| {
+                bytes_of(last_frame) == bytes_of(frame)
+                    && *splitting == order.splitting
+                    && last_scene.ptr_eq(&scene)
+            });
         if !is_known {
             self.pace.begin_carefully();
-            self.last_traced = Some((*frame, scene));
+            self.last_traced = Some((*frame, order.splitting, scene));
         }
     }
 
@@ -174,7 +179,7 @@ impl Dispatcher {
             None => Readback::new(order.graphics, size_of::<Progress>() as u64)?,
         };
         let mut ration = self.pace.ration();
-        ration.budget = ration.budget.min(order.scene.max_budget);
+        ration.budget = ration.budget.min(order.scene.max_budget(order.splitting));
         let all_groups = self.walkers.groups();
         let groups = all_groups.div_ceil(ration.parts).min(all_groups - self.next_group);
         frame.budget = ration.budget;
@@ -187,7 +192,7 @@ impl Dispatcher {
             }
             order.graphics.queue().write_buffer(self.walkers.frame(), 0, bytes_of(&frame));
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
-            pass.set_pipeline(&order.pipeline.pipeline);
+            pass.set_pipeline(order.pipeline.of(order.splitting));
             pass.set_bind_group(0, &order.scene.group, &[]);
             pass.set_bind_group(1, self.walkers.walk_group(), &[]);
             pass.set_bind_group(2, film_group, &[]);
@@ -249,7 +254,9 @@ mod tests {
         let group = walkers.film_group(graphics.device(), &pipeline, &film.bands()[0].buffer);
         let mut dispatcher = Dispatcher::new(walkers, true);
         let (pipeline, scene) = (&pipeline, &scene);
-        let order = Order { graphics: &graphics, pipeline, scene, is_cancelled: &|| false };
+        let splitting = Splitting::Paper;
+        let order =
+            Order { graphics: &graphics, pipeline, splitting, scene, is_cancelled: &|| false };
         // Four items are all there is to do.
         let frame = Frame { width: 2, height: 2, pixel_count: 4, item_count: 4, ..Frame::zeroed() };
         let clear = Walkers::forget_all;

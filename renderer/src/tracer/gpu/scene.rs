@@ -10,6 +10,7 @@ use super::pipeline::WalkPipeline;
 use crate::error::RendererError;
 use crate::gpu::{Graphics, bind};
 use crate::packed::PackedScene;
+use crate::settings::Splitting;
 use crate::shaders::Frame;
 use crate::spectrum::Bins;
 
@@ -21,7 +22,9 @@ pub struct GpuScene {
     pub(super) bins: Bins,
     pub(super) group: BindGroup,
     /// Rays per walker that the device can follow in one submission.
-    pub(super) max_budget: u32,
+    max_rays: u32,
+    /// The same of fans.
+    max_fans: u32,
     /// What the kernel is told of it beside its arrays.
     pub(super) frame: Frame,
 }
@@ -37,8 +40,11 @@ impl GpuScene {
         pipeline: &WalkPipeline,
         scene: &PackedScene,
     ) -> Result<Self, RendererError> {
-        let max_budget = if graphics.is_software() { software_budget(scene) } else { u32::MAX };
-        if max_budget == 0 {
+        let max_budget = |splitting| {
+            if graphics.is_software() { software_budget(scene, splitting) } else { u32::MAX }
+        };
+        let [max_rays, max_fans] = [Splitting::Paper, Splitting::Exact].map(max_budget);
+        if max_rays == 0 {
             return Err(RendererError::Graphics(format!(
                 "the graphics device {} is software that can't follow so much light through bodies \
                  that throw it: {} passages; let fewer throw light, or trace on the CPU",
@@ -63,7 +69,15 @@ impl GpuScene {
             bind(device, &pipeline.scene_layout, buffers)
         })?;
         let (identity, bins, frame) = (Arc::new(()), scene.bins, Frame::of(scene));
-        Ok(Self { identity, bins, group, max_budget, frame })
+        Ok(Self { identity, bins, group, max_rays, max_fans, frame })
+    }
+
+    /// Rays divided like this that each walker can follow in one submission.
+    pub(super) fn max_budget(&self, splitting: Splitting) -> u32 {
+        match splitting {
+            Splitting::Paper => self.max_rays,
+            Splitting::Exact => self.max_fans,
+        }
     }
 }
 

@@ -6,6 +6,7 @@ use super::pipeline::{WORKGROUP_SIZE, WalkPipeline};
 use super::progress::Progress;
 use crate::error::RendererError;
 use crate::gpu::{Graphics, bind};
+use crate::kernel::fan_walk::FAN_STACK_LEN;
 use crate::kernel::ray::Ray;
 use crate::kernel::walk::STACK_LEN;
 use crate::settings::TraceSettings;
@@ -13,8 +14,11 @@ use crate::shaders::Frame;
 
 /// A ray in an array of the shader, where vectors start at multiples of 16 bytes.
 pub(super) const RAY_BYTES: u64 = size_of::<Ray>().next_multiple_of(16) as u64;
-/// Rays that wait for one walker.
+/// A fan in an array of the shader, whose numbers fill up its vectors.
+pub(super) const FAN_BYTES: u64 = 160;
+/// Rays that wait for one walker, or fans: as many bytes of either.
 pub(super) const STACK_BYTES: u64 = STACK_LEN as u64 * RAY_BYTES;
+const _: () = assert!(FAN_STACK_LEN as u64 * FAN_BYTES <= STACK_BYTES);
 /// Radiance that one walker has found.
 const RADIANCE_BYTES: u64 = *TraceSettings::BINS.end() as u64 * size_of::<f32>() as u64;
 /// `Walker` of the shader: where its walk stands, its tally, its item and what that came to.

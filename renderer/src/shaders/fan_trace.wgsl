@@ -1,0 +1,50 @@
+// Following fans of rays through the tree of a camera ray's descendants.
+
+// Takes the next fan that waits to the next surface, or to the lights. Only the part about its middle
+// goes there; what meets other surfaces waits again.
+fn follow_fan() {
+    var fan = pop_fan();
+    walk.tally.segments += segment_count(fan);
+    walk.tally.depth = max(walk.tally.depth, fan.depth);
+    var middle = ray_in_fan(fan, 0.0);
+    var hit = MISS;
+    if !can_only_meet_lights(fan) {
+        hit = next_surface(&middle);
+        fan = send_rest(fan, reach(fan, middle, hit));
+    }
+    if is_lost(middle, hit) {
+        walk.tally.lost += retire_fan(fan);
+    } else if hit.instance == NONE {
+        end_at_lights(fan);
+    } else {
+        let height = dot(middle.origin + middle.direction * hit.distance, hit.normal);
+        let arrived = arrive(fan, hit, height);
+        if meets_opaque(hit) {
+            shade_fan(arrived, hit);
+        } else {
+            divide_fan(arrived, middle, hit);
+        }
+    }
+}
+
+// Sends what is outside of the reached part of the fan back to wait, and gives that part.
+fn send_rest(fan: Fan, reached: vec2f) -> Fan {
+    var low = reached.x;
+    var high = reached.y;
+    if axis_position_in(fan, low) - fan.axis.x <= NARROW {
+        low = -1.0;
+    }
+    if fan.axis.z - axis_position_in(fan, high) <= NARROW {
+        high = 1.0;
+    }
+    if low == -1.0 && high == 1.0 {
+        return fan;
+    }
+    let rest = vec4f(high, 1.0, -1.0, low);
+    for (var i = 0u; i < 4u; i += 2u) {
+        if rest[i] < rest[i + 1u] {
+            send_fan(part_of_fan(fan, rest[i], rest[i + 1u]));
+        }
+    }
+    return part_of_fan(fan, low, high);
+}

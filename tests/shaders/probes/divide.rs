@@ -1,0 +1,331 @@
+//! What becomes of fans at interfaces.
+
+use brilliance_renderer::kernel::divide::{
+    Crossing, can_only_meet_lights, crossing_of, divide_fan, drawn_to_critical, end_of_bin,
+    is_bent, is_misjudged, pays_on_entering, reflect_fan, reflectances, refract_fan, refracted_fan,
+    send_refracted,
+};
+use brilliance_renderer::kernel::fan::Fan;
+use brilliance_renderer::kernel::fork::interface_at;
+use brilliance_renderer::kernel::nodes::{Nodes, middle_node, nodes_of};
+use brilliance_renderer::kernel::trace::meets_opaque;
+use brilliance_renderer::packed::NONE;
+use glam::{Vec3, Vec3A};
+
+use crate::probe::{
+    Case, Dice, EXACT, Meeting, Probe, Put, ROUNDING, Table, Tolerance, World, throw,
+};
+
+#[test]
+fn divide() {
+    table().check();
+}
+
+/// Near the critical angle refracted directions and reflectances are roots of a small difference:
+/// an error of 1e-6 in the square of a cosine is one of 1e-3 in itself.
+const CRITICAL: Tolerance = Tolerance::relative(1e-4).or(1e-3);
+
+/// Away from it all is a chain of roundings; a few fans come close to it, or to where a fan is
+/// divided once more.
+const DIVISION: Tolerance = Tolerance::relative(1e-3).or(1e-4).but(0.03);
+
+pub(super) fn table() -> Table {
+    let probes = [crossings(), parts(), narrower_fans(), whole()];
+    Table {
+        worlds: vec![World::full(), World::curt(), World::single()],
+        probes: probes.into_iter().flatten().collect(),
+    }
+}
+
+fn crossings() -> Vec<Probe> {
+    vec![
+        Probe {
+            name: "crossing_of",
+            wgsl: "let fan = take_fan();
+    let crossing = crossing_of(interface_at(take_ray(), take_hit()), fan);
+    put_vec3(crossing.eta);
+    put_vec3(crossing.cos_i);
+    put_vec3(crossing.cos_t_squared);",
+            rust: |world, take, put| {
+                let fan = take.fan();
+                let at = interface_at(&world.scene, &take.ray(), &take.hit());
+                put_crossing(put, &crossing_of(&world.scene, &at, &fan));
+            },
+            cases: |world| arrivals(world, &Case::new()),
+            tolerance: ROUNDING.or(1e-5),
+        },
+        Probe {
+            name: "reflectances",
+            wgsl: "put_vec3(reflectances(Crossing(take_vec3(), take_vec3(), take_vec3())));",
+            rust: |_, take, put| {
+                let (eta, cos_i) = (take.each(), take.each());
+                let cos_t_squared = take.each();
+                put.each(reflectances(&Crossing { eta, cos_i, cos_t_squared }));
+            },
+            cases: |_| angles(),
+            tolerance: CRITICAL,
+        },
+        Probe {
+            name: "is_bent",
+            wgsl: "put_bool(is_bent(take_nodes()));",
+            rust: |_, take, put| put.bool(is_bent(&take.nodes())),
+            cases: |_| throw(600, |dice| Case::new().nodes(&bent_directions(dice))),
+            tolerance: EXACT.but(0.005),
+        },
+    ]
+}
+
+fn put_crossing(put: &mut Put, crossing: &Crossing) {
+    put.each(crossing.eta);
+    put.each(crossing.cos_i);
+    put.each(crossing.cos_t_squared);
+}
+
+fn parts() -> Vec<Probe> {
+    vec![
+        Probe {
+            name: "reflect_fan",
+            wgsl: "begin_walk();
+    let fan = take_fan();
+    let ray = take_ray();
+    let hit = take_hit();
+    reflect_fan(fan, hit, interface_at(ray, hit), vec3f(0.9, 0.8, 0.7));
+    put_fan_walk();",
+            rust: |world, take, put| {
+                world.fan_walk(take, put, |walk, take, _| {
+                    let (fan, ray, hit) = (take.fan(), take.ray(), take.hit());
+                    let at = interface_at(walk.scene, &ray, &hit);
+                    reflect_fan(walk, &fan, &hit, &at, Vec3A::new(0.9, 0.8, 0.7));
+                });
+            },
+            cases: |world| arrivals(world, &walk()),
+            tolerance: DIVISION,
+        },
+        Probe {
+            name: "refracted_fan",
+            wgsl: "let fan = take_fan();
+    let ray = take_ray();
+    let hit = take_hit();
+    let at = interface_at(ray, hit);
+    put_fan(refracted_fan(fan, ray, hit, at, crossing_of(at, fan), vec3f(0.1, 0.2, 0.3)));",
+            rust: |world, take, put| {
+                let (fan, ray, hit) = (take.fan(), take.ray(), take.hit());
+                let at = interface_at(&world.scene, &ray, &hit);
+                let crossing = crossing_of(&world.scene, &at, &fan);
+                let reflectance = Vec3A::new(0.1, 0.2, 0.3);
+                put.fan(&refracted_fan(
+                    &world.scene,
+                    &fan,
+                    &ray,
+                    &hit,
+                    &at,
+                    &crossing,
+                    reflectance,
+                ));
+            },
+            cases: |world| arrivals(world, &Case::new()),
+            tolerance: CRITICAL,
+        },
+        Probe {
+            name: "send_refracted",
+            wgsl: "begin_walk();
+    send_refracted(take_fan());
+    put_fan_walk();",
+            rust: |world, take, put| {
+                world.fan_walk(take, put, |walk, take, _| send_refracted(walk, &take.fan()));
+            },
+            cases: |world| {
+                let mut cases: Vec<_> =
+                    fans_in_colour(world).iter().map(|fan| walk().fan(fan)).collect();
+                // Out of the body that they have met.
+                cases.extend(world.arrivals(400).iter().map(|Meeting { fan, hit, .. }| {
+                    let (instance, facet, medium) = (hit.instance, hit.facet, NONE);
+                    walk().fan(&Fan { instance, facet, medium, depth: 2, ..*fan })
+                }));
+                cases
+            },
+            // Edges of lights.
+            tolerance: Tolerance::relative(2e-3).or(2e-3).but(0.02),
+        },
+        Probe {
+            name: "pays_on_entering",
+            wgsl: "let fan = take_fan();
+    put_bool(pays_on_entering(fan, fan.medium));",
+            rust: |world, take, put| {
+                let fan = take.fan();
+                put.bool(pays_on_entering(&world.scene, &fan, fan.medium));
+            },
+            cases: |world| fans_in_colour(world).iter().map(|fan| Case::new().fan(fan)).collect(),
+            tolerance: EXACT,
+        },
+    ]
+}
+
+fn narrower_fans() -> Vec<Probe> {
+    vec![
+        Probe {
+            name: "is_misjudged",
+            wgsl: "let fan = take_fan();
+    let at = interface_at(take_ray(), take_hit());
+    put_bool(is_misjudged(at, fan, reflectances(crossing_of(at, fan))));",
+            rust: |world, take, put| {
+                let fan = take.fan();
+                let at = interface_at(&world.scene, &take.ray(), &take.hit());
+                let reflectance = reflectances(&crossing_of(&world.scene, &at, &fan));
+                put.bool(
+                    world.begin_fan_walk(0, 0, |walk| is_misjudged(walk, &at, &fan, reflectance)),
+                );
+            },
+            cases: |world| arrivals(world, &Case::new()),
+            // Where rounding decides.
+            tolerance: EXACT.but(0.02),
+        },
+        Probe {
+            name: "drawn_to_critical",
+            wgsl: "let fan = take_fan();
+    let drawn = drawn_to_critical(fan, interface_at(take_ray(), take_hit()));
+    put_fan(drawn.fan);
+    put_bool(drawn.is_elsewhere);",
+            rust: |world, take, put| {
+                let fan = take.fan();
+                let at = interface_at(&world.scene, &take.ray(), &take.hit());
+                let (drawn, is_elsewhere) = drawn_to_critical(&world.scene, &fan, &at);
+                put.fan(&drawn);
+                put.bool(is_elsewhere);
+            },
+            cases: |world| arrivals(world, &Case::new()),
+            tolerance: CRITICAL.but(0.02),
+        },
+        Probe {
+            name: "end_of_bin",
+            wgsl: "put_f32(end_of_bin(take_fan(), take_f32()));",
+            rust: |world, take, put| put.f32(end_of_bin(&world.scene, &take.fan(), take.f32())),
+            cases: |_| {
+                throw(600, |dice| {
+                    let fan = wide_fan(dice);
+                    Case::new().fan(&fan).f32(dice.position())
+                })
+            },
+            // Where rounding decides which bin it is.
+            tolerance: Tolerance::relative(1e-4).or(1e-4).but(0.01),
+        },
+    ]
+}
+
+fn whole() -> Vec<Probe> {
+    vec![
+        Probe {
+            name: "refract_fan",
+            wgsl: "begin_walk();
+    let fan = take_fan();
+    let ray = take_ray();
+    let hit = take_hit();
+    let at = interface_at(ray, hit);
+    refract_fan(fan, ray, hit, at);
+    put_fan_walk();",
+            rust: |world, take, put| {
+                world.fan_walk(take, put, |walk, take, _| {
+                    let (fan, ray, hit) = (take.fan(), take.ray(), take.hit());
+                    let at = interface_at(walk.scene, &ray, &hit);
+                    refract_fan(walk, &fan, &ray, &hit, &at);
+                });
+            },
+            cases: |world| {
+                let mut cases = Vec::new();
+                for Meeting { fan, ray, hit } in interfaces(world) {
+                    let at = interface_at(&world.scene, &ray, &hit);
+                    let crossing = crossing_of(&world.scene, &at, &fan);
+                    if crossing.cos_t_squared.max_element() > 0.0 {
+                        cases.push(walk().fan(&fan).ray(&ray).hit(&hit));
+                    }
+                }
+                cases
+            },
+            tolerance: DIVISION,
+        },
+        Probe {
+            name: "divide_fan",
+            wgsl: "begin_walk();
+    divide_fan(take_fan(), take_ray(), take_hit());
+    put_fan_walk();",
+            rust: |world, take, put| {
+                world.fan_walk(take, put, |walk, take, _| {
+                    divide_fan(walk, &take.fan(), &take.ray(), &take.hit());
+                });
+            },
+            cases: |world| arrivals(world, &walk()),
+            tolerance: DIVISION,
+        },
+    ]
+}
+
+fn walk() -> Case {
+    Case::new().u32(0).u32(0)
+}
+
+/// Fans at interfaces, some from directions at which a part of them is totally reflected.
+fn interfaces(world: &World) -> Vec<Meeting> {
+    let mut dice = Dice::new(29);
+    let is_clear = |meeting: &Meeting| !meets_opaque(&world.scene, &meeting.hit);
+    let turned = |mut meeting: Meeting| {
+        let at = interface_at(&world.scene, &meeting.ray, &meeting.hit);
+        let eta = crossing_of(&world.scene, &at, &meeting.fan).eta.y;
+        if eta > 1.0 && dice.below(3) == 0 {
+            let critical = (1.0 - 1.0 / (eta * eta)).sqrt();
+            let middle = dice.direction_at(-at.normal, critical);
+            let spread = middle.cross(dice.direction()) * dice.magnitude(1e-4, 0.02);
+            let [low, high] = [middle - spread, middle + spread].map(Vec3::normalize_or_zero);
+            meeting.fan.direction = nodes_of(low, middle, high);
+            meeting.ray.direction = middle_node(&meeting.fan.direction);
+        }
+        meeting
+    };
+    world.arrivals(800).into_iter().filter(is_clear).map(turned).collect()
+}
+
+fn arrivals(world: &World, start: &Case) -> Vec<Case> {
+    let case = |Meeting { fan, ray, hit }: Meeting| start.clone().fan(&fan).ray(&ray).hit(&hit);
+    interfaces(world).into_iter().map(case).collect()
+}
+
+/// Fans that have run through one coloured material, or none, and are in any body.
+fn fans_in_colour(world: &World) -> Vec<Fan> {
+    let mut dice = Dice::new(31);
+    let absorbers = [&world.absorbers()[..], &[NONE]].concat();
+    let bodies = world.scene.instances.len();
+    let mut fan = || {
+        let medium = dice.below(bodies) as u32;
+        let absorber = dice.pick(&absorbers);
+        Fan { medium: dice.pick(&[medium, medium, NONE]), absorber, ..dice.fan() }
+    };
+    (0..400).map(|_| fan()).collect()
+}
+
+/// At least a hundredth of the axis wide.
+fn wide_fan(dice: &mut Dice) -> Fan {
+    let (low, width) = (dice.between(0.0, 0.1), dice.magnitude(1e-2, 0.9));
+    let drawn = dice.pick(&[0.5, 0.3, 0.7]);
+    Fan { axis: Vec3A::new(low, low + drawn * width, low + width), ..dice.fan() }
+}
+
+/// Both sides of the critical angle, normal and grazing incidence.
+fn angles() -> Vec<Case> {
+    throw(800, |dice| {
+        let eta = Vec3A::splat(dice.between(0.4, 2.5));
+        let any = dice.each(0.0, 1.0);
+        let at_critical = (1.0 - (eta.x * eta.x).recip()).max(0.0).sqrt();
+        let about = Vec3A::splat(at_critical) + dice.each(-1e-3, 1e-3);
+        let cos_i = dice.pick(&[any, any, about, Vec3A::ONE, Vec3A::ZERO, Vec3A::splat(1e-5)]);
+        let cos_t_squared = Vec3A::ONE - eta * eta * (Vec3A::ONE - cos_i * cos_i);
+        Case::new().each(eta).each(cos_i).each(cos_t_squared)
+    })
+}
+
+/// Straight and bent about as much as is allowed.
+fn bent_directions(dice: &mut Dice) -> Nodes {
+    let middle = dice.direction();
+    let spread = middle.cross(dice.direction()) * dice.magnitude(1e-4, 0.1);
+    let bend = dice.point(1.0) * (2e-4 * spread.length()).sqrt() * dice.between(0.0, 2.0);
+    let [low, high] = [bend - spread, bend + spread].map(|it| (middle + it).normalize_or_zero());
+    nodes_of(low, middle, high)
+}
