@@ -51,19 +51,20 @@ fn light_is_bent_by_the_textbook_angle() {
     };
     // Only the ray that is refracted twice: images by inner reflections lie elsewhere.
     let of_paper = TraceSettings { significance_threshold: 0.3, ..paper() };
-    for settings in [of_paper, exact()] {
+    // Fans are not divided where their directions are off by less than 0.0002, or 0.011°.
+    for (settings, tolerance) in [(of_paper, 0.004), (exact(), 0.008)] {
         let settings = TraceSettings { bins: 50, max_depth: 2, ..settings };
         let prism = object(prism(60.0, 5.0), clear(FLINT));
         let scene = scene(vec![prism], lights.clone());
         let mut request = request(scene, camera, [WIDTH, 1], settings);
         request.pass_limit = 16;
         let film = render(&request, 0).film;
-        assert_bent(&film, &camera, view, towards_light);
+        assert_bent(&film, &camera, [view, towards_light], tolerance);
     }
 }
 
-/// Where each bin of the film sees the light, the formula sends it.
-fn assert_bent(film: &Film, camera: &Camera, view: f64, towards_light: f64) {
+/// Where each bin of the film sees the light, the formula sends it, to `tolerance` degrees.
+fn assert_bent(film: &Film, camera: &Camera, [view, towards_light]: [f64; 2], tolerance: f64) {
     let apex = 60.0_f64.to_radians();
 
     let half_width = (FOV_DEGREES / 2.0).to_radians().tan();
@@ -79,7 +80,7 @@ fn assert_bent(film: &Film, camera: &Camera, view: f64, towards_light: f64) {
         let exit = (n * (apex - inside).sin()).asin();
         let predicted = ray_angle + incidence + exit - apex;
         let error = (predicted - towards_light).to_degrees();
-        assert!(error.abs() < 0.004, "bin {bin}: off by {error}°");
+        assert!(error.abs() < tolerance, "bin {bin}: off by {error}°");
         checked += 1;
     }
     assert!(checked > 40, "the spectrum is in the picture: {checked} bins");
