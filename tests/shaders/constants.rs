@@ -6,8 +6,8 @@ use std::f32::consts::{FRAC_1_PI, TAU};
 use brilliance_renderer::kernel::mesh::Sides;
 use brilliance_renderer::kernel::walk::Fate;
 use brilliance_renderer::kernel::{
-    band, divide, facet, fan_lights, fan_matte, fan_walk, interface, intersect, mesh, ray, reach,
-    rng, spread, walk,
+    band, divide, facet, fan_lights, fan_matte, fan_trace, fan_walk, interface, intersect, mesh,
+    ray, reach, rng, spread, walk,
 };
 use brilliance_renderer::material::Outside;
 use brilliance_renderer::packed;
@@ -78,6 +78,7 @@ fn rust_constants() -> Vec<(&'static str, Constant)> {
         ("DIRECTION_TOLERANCE", F32(divide::DIRECTION_TOLERANCE)),
         ("DRAWING_CONTRAST", F32(divide::DRAWING_CONTRAST)),
         ("LEAF_SHARE", F32(divide::LEAF_SHARE)),
+        ("REST_SHARE", F32(fan_trace::REST_SHARE)),
     ]
 }
 

@@ -74,11 +74,11 @@ fn axis_position_of_bins(bins: f32) -> f32 {
 }
 
 // The fan's light in one bin: the mean of its weight over the covered wavelengths, times how much
-// of the bin they are.
+// of the bin they are. Where a parabola dips below 0, others are as much too high.
 fn bin_weight(band: Band, part: BinPart) -> f32 {
     let weight = band.weight;
     let mean = weight.a * part.position_squared + 2.0 * weight.b * part.position + weight.c;
-    return part.overlap * max(mean, 0.0);
+    return part.overlap * mean;
 }
 
 // Transmittance e^(−α·d) of the path that the fan has still to pay for, in one bin.

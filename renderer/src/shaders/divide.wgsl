@@ -139,7 +139,15 @@ fn drawn_to_critical(fan: Fan, at: Interface) -> DrawnFan {
     let mean = 0.5 * (sqrt(low) + sqrt(high));
     let share = (mean * mean - low) / difference;
     let middle = position_of(fan, fan.axis.x + share * axis_width(fan));
-    return DrawnFan(fan_through(fan, vec3f(-1.0, middle, 1.0)), true);
+    var drawn = fan_through(fan, vec3f(-1.0, middle, 1.0));
+    // Another parabola through the weights has another integral; the ledger must not notice.
+    let energy = fan_energy(fan);
+    let drawn_energy = fan_energy(drawn);
+    if drawn_energy < 0.25 * energy || drawn_energy <= 0.0 {
+        return DrawnFan(fan, false);
+    }
+    drawn.weight *= energy / drawn_energy;
+    return DrawnFan(drawn, true);
 }
 
 // The fan beyond the interface.

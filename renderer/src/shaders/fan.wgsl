@@ -75,7 +75,7 @@ fn fan_through(fan: Fan, positions: vec3f) -> Fan {
     var part = fan;
     part.origin = blend_nodes(fan.origin, basis);
     part.direction = normalize_each(blend_nodes(fan.direction, basis));
-    part.weight = max(basis * fan.weight, vec3f(0.0));
+    part.weight = basis * fan.weight;
     part.path_mm = basis * fan.path_mm;
     part.axis = basis * fan.axis;
     return part;

@@ -31,10 +31,12 @@ fn follow_fan() {
 fn send_rest(fan: Fan, reached: vec2f) -> Fan {
     var low = reached.x;
     var high = reached.y;
-    if axis_position_in(fan, low) - fan.axis.x <= NARROW {
+    let least_energy = REST_SHARE * frame.rules.cut_threshold;
+    let least_width = max(least_energy / max(largest(fan.weight), 1e-12), NARROW);
+    if axis_position_in(fan, low) - fan.axis.x <= least_width {
         low = -1.0;
     }
-    if fan.axis.z - axis_position_in(fan, high) <= NARROW {
+    if fan.axis.z - axis_position_in(fan, high) <= least_width {
         high = 1.0;
     }
     if low == -1.0 && high == 1.0 {

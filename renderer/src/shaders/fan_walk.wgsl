@@ -33,24 +33,23 @@ fn fate_of_fan(fan: ptr<function, Fan>, threshold: f32) -> u32 {
         fate = FATE_TOO_DEEP;
     } else if waiting() == FAN_STACK_LEN {
         fate = FATE_TOO_MANY;
-    } else {
-        let chance = energy_bound(*fan) / threshold;
-        if chance >= 1.0 {
-            return fate;
-        }
-        if draw_chance() < chance {
-            walk.tally.pruned -= fan_energy(*fan) * (1.0 / chance - 1.0);
-            (*fan).weight /= chance;
-            return fate;
-        }
-        fate = FATE_TOO_WEAK;
     }
-    let energy = retire_fan(*fan);
-    if fate == FATE_TOO_WEAK {
+    if fate != FATE_KEPT {
+        walk.tally.cut_off += retire_fan(*fan);
+        return fate;
+    }
+    let chance = energy_bound(*fan) / threshold;
+    if chance >= 1.0 {
+        return fate;
+    }
+    // Before what its path has absorbed: that is booked where those end that live.
+    let energy = fan_energy(*fan);
+    if draw_chance() >= chance {
         walk.tally.pruned += energy;
-    } else {
-        walk.tally.cut_off += energy;
+        return FATE_TOO_WEAK;
     }
+    walk.tally.pruned -= energy * (1.0 / chance - 1.0);
+    (*fan).weight /= chance;
     return fate;
 }
 

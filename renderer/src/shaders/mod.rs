@@ -18,8 +18,8 @@ pub use frame::Frame;
 use crate::kernel::mesh::Sides;
 use crate::kernel::walk::Fate;
 use crate::kernel::{
-    band, divide, facet, fan_lights, fan_matte, fan_walk, interface, intersect, mesh, ray, reach,
-    rng, spread, walk,
+    band, divide, facet, fan_lights, fan_matte, fan_trace, fan_walk, interface, intersect, mesh,
+    ray, reach, rng, spread, walk,
 };
 use crate::material::Outside;
 use crate::packed;
@@ -189,5 +189,6 @@ fn kernel_constants() -> String {
         ("DIRECTION_TOLERANCE", F32(divide::DIRECTION_TOLERANCE)),
         ("DRAWING_CONTRAST", F32(divide::DRAWING_CONTRAST)),
         ("LEAF_SHARE", F32(divide::LEAF_SHARE)),
+        ("REST_SHARE", F32(fan_trace::REST_SHARE)),
     ])
 }

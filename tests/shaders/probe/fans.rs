@@ -1,7 +1,9 @@
 //! Walks with fans, and fans as they come about.
 
 use brilliance_renderer::kernel::camera::{camera_ray, pixel_seed};
-use brilliance_renderer::kernel::fan::{Fan, ray_in_fan, white_fan};
+use brilliance_renderer::kernel::divide::can_only_meet_lights;
+use brilliance_renderer::kernel::fan::{Fan, ray_in_fan, segment_count, white_fan};
+use brilliance_renderer::kernel::fan_lights::end_at_lights;
 use brilliance_renderer::kernel::fan_trace::{follow_fan, send_rest};
 use brilliance_renderer::kernel::fan_walk::send_fan;
 use brilliance_renderer::kernel::ray::{Hit, Ray};
@@ -11,6 +13,23 @@ use brilliance_renderer::kernel::walk::{RayStack, Walk};
 use brilliance_renderer::packed::NONE;
 
 use super::{Dice, Put, Take, World};
+
+/// Lets the fans that wait for nothing but the lights see them, as a device does at once with all.
+pub(crate) fn see_lights(walk: &mut Walk<'_, Fan>) {
+    let mut others = Vec::new();
+    let mut leaves = Vec::new();
+    while walk.has_rays() {
+        let fan = walk.pop();
+        let is_leaf = can_only_meet_lights(walk.scene, &fan);
+        if is_leaf { leaves.push(fan) } else { others.push(fan) }
+    }
+    others.iter().rev().for_each(|fan| walk.push(fan));
+    for fan in leaves {
+        walk.tally.segments += segment_count(&fan);
+        walk.tally.depth = walk.tally.depth.max(fan.depth);
+        end_at_lights(walk, &fan);
+    }
+}
 
 /// A fan, its middle ray, and the surface that this meets.
 pub(crate) struct Meeting {

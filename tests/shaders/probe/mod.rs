@@ -14,7 +14,7 @@ use std::fmt::Write as _;
 use brilliance_renderer::shaders::{KERNEL, ShaderModule};
 
 pub(crate) use dice::{Dice, throw};
-pub(crate) use fans::Meeting;
+pub(crate) use fans::{Meeting, see_lights};
 pub(crate) use tolerance::{EXACT, ROUNDING, Tolerance};
 pub(crate) use words::{Case, Put, Take};
 pub(crate) use world::World;

@@ -275,6 +275,22 @@ fn put_fan_walk() {
     }
 }
 
+// Lets the fans that wait for nothing but the lights see them, as the processor does at once.
+fn see_lights() {
+    let count = walk.stack_count;
+    walk.stack_count = 0u;
+    for (var i = 0u; i < count; i++) {
+        let fan = fans[walk.walker * FAN_STACK_LEN + i];
+        if can_only_meet_lights(fan) {
+            walk.tally.segments += segment_count(fan);
+            walk.tally.depth = max(walk.tally.depth, fan.depth);
+            end_at_lights(fan);
+        } else {
+            push_fan(fan);
+        }
+    }
+}
+
 fn put_books() {
     put_u32(walk.tally.segments);
     put_u32(walk.tally.depth);

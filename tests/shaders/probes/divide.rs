@@ -13,7 +13,7 @@ use brilliance_renderer::packed::NONE;
 use glam::{Vec3, Vec3A};
 
 use crate::probe::{
-    Case, Dice, EXACT, Meeting, Probe, Put, ROUNDING, Table, Tolerance, World, throw,
+    Case, Dice, EXACT, Meeting, Probe, Put, ROUNDING, Table, Tolerance, World, see_lights, throw,
 };
 
 #[test]
@@ -30,7 +30,7 @@ const CRITICAL: Tolerance = Tolerance::relative(1e-4).or(1e-3);
 const DIVISION: Tolerance = Tolerance::relative(1e-3).or(1e-4).but(0.03);
 
 pub(super) fn table() -> Table {
-    let probes = [crossings(), parts(), narrower_fans(), whole()];
+    let probes = [crossings(), parts(), ends_of_media(), narrower_fans(), whole()];
     Table {
         worlds: vec![World::full(), World::curt(), World::single()],
         probes: probes.into_iter().flatten().collect(),
@@ -130,9 +130,13 @@ fn parts() -> Vec<Probe> {
             name: "send_refracted",
             wgsl: "begin_walk();
     send_refracted(take_fan());
+    see_lights();
     put_fan_walk();",
             rust: |world, take, put| {
-                world.fan_walk(take, put, |walk, take, _| send_refracted(walk, &take.fan()));
+                world.fan_walk(take, put, |walk, take, _| {
+                    send_refracted(walk, &take.fan());
+                    see_lights(walk);
+                });
             },
             cases: |world| {
                 let mut cases: Vec<_> =
@@ -146,6 +150,23 @@ fn parts() -> Vec<Probe> {
             },
             // Edges of lights.
             tolerance: Tolerance::relative(2e-3).or(2e-3).but(0.02),
+        },
+    ]
+}
+
+fn ends_of_media() -> Vec<Probe> {
+    vec![
+        Probe {
+            name: "can_only_meet_lights",
+            wgsl: "put_bool(can_only_meet_lights(take_fan()));",
+            rust: |world, take, put| put.bool(can_only_meet_lights(&world.scene, &take.fan())),
+            cases: |world| {
+                let mut cases: Vec<_> =
+                    fans_in_colour(world).iter().map(|fan| Case::new().fan(fan)).collect();
+                cases.extend(world.fans(200).iter().map(|fan| Case::new().fan(fan)));
+                cases
+            },
+            tolerance: EXACT,
         },
         Probe {
             name: "pays_on_entering",
@@ -222,12 +243,14 @@ fn whole() -> Vec<Probe> {
     let hit = take_hit();
     let at = interface_at(ray, hit);
     refract_fan(fan, ray, hit, at);
+    see_lights();
     put_fan_walk();",
             rust: |world, take, put| {
                 world.fan_walk(take, put, |walk, take, _| {
                     let (fan, ray, hit) = (take.fan(), take.ray(), take.hit());
                     let at = interface_at(walk.scene, &ray, &hit);
                     refract_fan(walk, &fan, &ray, &hit, &at);
+                    see_lights(walk);
                 });
             },
             cases: |world| {
@@ -247,10 +270,12 @@ fn whole() -> Vec<Probe> {
             name: "divide_fan",
             wgsl: "begin_walk();
     divide_fan(take_fan(), take_ray(), take_hit());
+    see_lights();
     put_fan_walk();",
             rust: |world, take, put| {
                 world.fan_walk(take, put, |walk, take, _| {
                     divide_fan(walk, &take.fan(), &take.ray(), &take.hit());
+                    see_lights(walk);
                 });
             },
             cases: |world| arrivals(world, &walk()),

@@ -4,7 +4,7 @@ use brilliance_renderer::kernel::fan::Fan;
 use brilliance_renderer::kernel::fan_trace::{follow_fan, send_rest};
 use brilliance_renderer::kernel::fan_walk::send_fan;
 
-use crate::probe::{Case, Probe, Table, Tolerance, World, throw};
+use crate::probe::{Case, Probe, Table, Tolerance, World, see_lights, throw};
 
 #[test]
 fn fan_trace() {
@@ -28,6 +28,7 @@ pub(super) fn table() -> Table {
     if has_rays() {
         follow_fan();
     }
+    see_lights();
     put_fan_walk();",
                 rust: |world, take, put| {
                     world.fan_walk(take, put, |walk, take, _| {
@@ -35,6 +36,7 @@ pub(super) fn table() -> Table {
                         if walk.has_rays() {
                             follow_fan(walk);
                         }
+                        see_lights(walk);
                     });
                 },
                 cases: |world| {

@@ -145,7 +145,7 @@ fn fates() -> Vec<Probe> {
                     put.f32(draw_chance(walk));
                 });
             },
-            cases: |_| throw(100, |dice| walk(dice)),
+            cases: |_| throw(100, walk),
             tolerance: EXACT,
         },
         Probe {
