@@ -1,6 +1,6 @@
 //! Whole films of both tracers side by side.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use brilliance_renderer::develop::XyzImage;
 use brilliance_renderer::film::{Counts, Film, PixelRect};
@@ -56,8 +56,7 @@ pub(crate) fn assert_same(case: &Case, tracer: &GpuTracer, film: GpuFilm) -> Sta
     let gpu = tracer.read(film).expect("the film is read");
     assert_eq!((gpu.size(), gpu.passes()), (cpu.size(), cpu.passes()));
     if let Err(fault) = compare(&cpu, &gpu) {
-        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{}.png", case.name));
-        write_side_by_side(&path, &cpu, &gpu);
+        let path = write_side_by_side(case, &cpu, &gpu);
         panic!("{}: {fault}; see {}: CPU, GPU, difference", case.name, path.display());
     }
     assert_same_counts(case, &cpu, &gpu);
@@ -122,7 +121,9 @@ pub(crate) fn compare(cpu: &Film, gpu: &Film) -> Result<(), String> {
 }
 
 /// Writes both films and ten times their difference into one picture.
-fn write_side_by_side(path: &Path, cpu: &Film, gpu: &Film) {
+pub(crate) fn write_side_by_side(case: &Case, cpu: &Film, gpu: &Film) -> PathBuf {
+    let name = format!("{}-{:?}.png", case.name, case.settings().splitting);
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     let [width, height] = cpu.size();
     let develop =
         |film: &Film| XyzImage::from_film(film).develop_rgba8(&DisplaySettings::default());
@@ -138,7 +139,8 @@ fn write_side_by_side(path: &Path, cpu: &Film, gpu: &Film) {
     {
         picture.extend([cpu, gpu, difference].concat());
     }
-    write_png8(path, [3 * width, height], &picture, &[]).expect("the picture is written");
+    write_png8(&path, [3 * width, height], &picture, &[]).expect("the picture is written");
+    path
 }
 
 #[test]

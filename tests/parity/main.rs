@@ -3,6 +3,7 @@
 mod adaptive;
 mod cases;
 mod device;
+mod exact;
 mod films;
 mod limits;
 mod loss;

@@ -25,9 +25,9 @@ fn divide() {
 /// an error of 1e-6 in the square of a cosine is one of 1e-3 in itself.
 const CRITICAL: Tolerance = Tolerance::relative(1e-4).or(1e-3);
 
-/// Away from it all is a chain of roundings; a few fans come close to it, or to where a fan is
-/// divided once more.
-const DIVISION: Tolerance = Tolerance::relative(1e-3).or(1e-4).but(0.03);
+/// So it is with what comes of a fan; a few come to where rounding decides whether it is divided once
+/// more.
+const DIVISION: Tolerance = Tolerance::relative(1e-3).or(1e-3).but(0.03);
 
 pub(super) fn table() -> Table {
     let probes = [crossings(), parts(), ends_of_media(), narrower_fans(), whole()];

@@ -84,11 +84,10 @@ fn stack() -> Vec<Probe> {
             },
             cases: |_| {
                 throw(40, |dice| {
-                    let fan = Fan { depth: 1, absorber: NONE, ..dice.fan() };
-                    Case::new()
-                        .u32(0)
-                        .u32(0)
-                        .fan(&Fan { weight: fan.weight.max(Vec3A::splat(0.1)), ..fan })
+                    let axis = Vec3A::new(0.0, 0.5, 1.0);
+                    let weight = dice.each(0.1, 1.0);
+                    let fan = Fan { weight, axis, depth: 1, ..dice.fan() };
+                    walk(dice).fan(&fan)
                 })
             },
             tolerance: ENERGY,
