@@ -52,7 +52,8 @@ pub fn fate_of_fan(walk: &mut Walk<'_, Fan>, fan: &mut Fan, threshold: f32) -> F
         return fate;
     }
     let chance = energy_bound(walk.scene, fan) / threshold;
-    if chance >= 1.0 {
+    // What the camera ray itself makes at its first surface is never left to chance: it is one fan more.
+    if chance >= 1.0 || fan.depth <= 1 {
         return fate;
     }
     // Before what its path has absorbed: that is booked where those end that live.

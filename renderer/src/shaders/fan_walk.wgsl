@@ -39,7 +39,8 @@ fn fate_of_fan(fan: ptr<function, Fan>, threshold: f32) -> u32 {
         return fate;
     }
     let chance = energy_bound(*fan) / threshold;
-    if chance >= 1.0 {
+    // What the camera ray itself makes at its first surface is never left to chance: it is one fan more.
+    if chance >= 1.0 || (*fan).depth <= 1u {
         return fate;
     }
     // Before what its path has absorbed: that is booked where those end that live.
