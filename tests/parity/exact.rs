@@ -1,6 +1,7 @@
 //! Exact splitting: fans on both tracers.
 
 use brilliance_renderer::settings::TraceSettings;
+use brilliance_renderer::tracer::Tracer as _;
 
 use super::cases::{self, Case};
 use super::films::{assert_in_step, write_side_by_side};

@@ -38,9 +38,11 @@ fn fate_of_fan(fan: ptr<function, Fan>, threshold: f32) -> u32 {
         walk.tally.cut_off += retire_fan(*fan);
         return fate;
     }
-    let chance = energy_bound(*fan) / threshold;
-    // What the camera ray itself makes at its first surface is never left to chance: it is one fan more.
-    if chance >= 1.0 || (*fan).depth <= 1u {
+    var chance = energy_bound(*fan) / threshold;
+    if (*fan).depth <= 1u {
+        chance *= FIRST_GRACE;
+    }
+    if chance >= 1.0 {
         return fate;
     }
     // Before what its path has absorbed: that is booked where those end that live.
@@ -64,14 +66,16 @@ fn energy_bound(fan: Fan) -> f32 {
     return significance_bound(fan) * axis_width(fan);
 }
 
-// The largest of the fan's weights, after the least that its path may have absorbed.
+// The largest of the fan's weights, after the least that its path may have absorbed: but no more than
+// nearly all of it, so that chance makes none much larger than it was.
 fn significance_bound(fan: Fan) -> f32 {
     let weight = largest(fan.weight);
     if fan.absorber == NONE {
         return weight;
     }
     let path_mm = max(least_of(fan.path_mm), 0.0);
-    return weight * exp(-materials[fan.absorber].least_absorption * path_mm);
+    let kept = exp(-materials[fan.absorber].least_absorption * path_mm);
+    return weight * max(kept, LEAST_KEPT);
 }
 
 // The largest of the values at the nodes.
