@@ -1,7 +1,6 @@
 //! The recorded tree of rays is the tree of the picture.
 
 #[path = "parity/cases.rs"]
-#[expect(dead_code, reason = "the tracers are compared in more cases than the record")]
 mod cases;
 
 use std::cell::Cell;

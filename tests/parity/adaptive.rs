@@ -33,7 +33,7 @@ fn assert_in_step(case: &Case, tracer: &GpuTracer) {
     let cpu = CpuTracer::new(0).expect("there are threads");
     let (cpu, cpu_statistics, cpu_noise) = trace_adaptively(&cpu, case);
     let (gpu, gpu_statistics, gpu_noise) = trace_adaptively(tracer, case);
-    compare(&cpu, &gpu).expect("the films are the same");
+    compare(case, &cpu, &gpu).expect("the films are the same");
     assert!(relative(cpu_noise.into(), gpu_noise.into()) < 0.01, "{cpu_noise} {gpu_noise}");
     let rays = [cpu_statistics, gpu_statistics].map(|statistics| statistics.camera_rays as f64);
     assert!(relative(rays[0], rays[1]) < 2e-3, "{rays:?}");

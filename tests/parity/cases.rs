@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use brilliance_renderer::packed::PackedScene;
-use brilliance_renderer::scene::Transform;
 use brilliance_renderer::scene_file::Document;
 use brilliance_renderer::settings::{Splitting, TraceSettings};
 use brilliance_renderer::spectrum::Bins;
@@ -79,16 +78,6 @@ impl Case {
         Self { name, document, size: [48, 48], passes: 2 }
     }
 
-    /// By exact splitting, and next to nothing left to chance: where both sides draw once more or once
-    /// less, all that is drawn later in the pixel differs.
-    pub(crate) fn exact(self) -> Self {
-        let mut document = self.document;
-        let splitting = Splitting::Exact;
-        document.trace =
-            TraceSettings { splitting, roulette_threshold: 1e-4, max_depth: 12, ..document.trace };
-        Self { document, ..self }
-    }
-
     pub(crate) fn settings(&self) -> &TraceSettings {
         &self.document.trace
     }
@@ -122,16 +111,6 @@ pub(crate) fn seven_diamonds() -> Case {
 
 pub(crate) fn mesh() -> Case {
     Case::new("mesh", asset("gems/spinel_octahedron.glb"))
-}
-
-/// The same within a block of green glass.
-pub(crate) fn mesh_in_glass() -> Case {
-    let mut document = asset("gems/spinel_octahedron.glb");
-    let nested = Document::from_toml(NESTED, Path::new("")).expect("the scene is right");
-    let mut glass = nested.scene.objects.into_iter().nth(1).expect("it is the second");
-    glass.transform = Transform { scale: 3.0, ..Transform::default() };
-    document.scene.objects.push(glass);
-    Case { passes: 1, ..Case::new("mesh-in-glass", document) }
 }
 
 pub(crate) fn prism() -> Case {

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use brilliance_renderer::develop::XyzImage;
 use brilliance_renderer::film::{Counts, Film, PixelRect};
 use brilliance_renderer::image_file::write_png8;
-use brilliance_renderer::settings::DisplaySettings;
+use brilliance_renderer::settings::{DisplaySettings, Splitting};
 use brilliance_renderer::statistics::Statistics;
 use brilliance_renderer::tracer::{GpuFilm, GpuTracer, Tracer};
 
@@ -15,7 +15,7 @@ use super::{TRACER, cpu_film, limited_graphics, relative, total, trace};
 /// Means of films, over all bins and of each, agree to this.
 const MEAN_TOLERANCE: f64 = 1e-3;
 
-/// How many pixels may differ by how much of their radiance.
+/// How far both sides may be apart, beside the means.
 ///
 /// Both sides do the same arithmetic, but round differently where a device contracts a·b + c,
 /// divides or takes a sine its own way. One such rounding, 6e-8, moves a ray by as much, and every
@@ -24,19 +24,57 @@ const MEAN_TOLERANCE: f64 = 1e-3;
 /// the critical angle within that rounding it goes another way, and with it a whole branch: such a
 /// pixel may differ by anything, which is why there is no bound on the largest difference, but only
 /// few rays are so close. A rule that one side has and the other lacks shows in many pixels.
-const HISTOGRAM: [(f64, f64); 3] = [(1e-4, 0.05), (1e-2, 0.02), (0.1, 0.005)];
+struct Bounds {
+    /// How many pixels may differ by how much of their radiance.
+    histogram: [(f64, f64); 3],
+    /// By what part the numbers of segments may differ.
+    segments: f64,
+    /// How many pixels may have other counts.
+    counted: f64,
+    /// What light of a pixel that was pruned is too little to be compared.
+    least_pruned: f64,
+}
+
+const OF_RAYS: Bounds = Bounds {
+    histogram: [(1e-4, 0.05), (1e-2, 0.02), (0.1, 0.005)],
+    segments: 1e-3,
+    counted: 0.05,
+    least_pruned: 0.0,
+};
+
+/// Where a fan is divided at edges that are searched for by halves, one rounding moves the place by one
+/// of the smallest steps. And where it lets one side draw a number more than the other, all that is
+/// drawn after it in the pixel differs, points on lights included.
+const OF_FANS: Bounds = Bounds {
+    histogram: [(1e-3, 0.08), (1e-2, 0.04), (0.1, 0.015)],
+    segments: 5e-3,
+    counted: 0.25,
+    least_pruned: 1.0,
+};
+
+impl Bounds {
+    fn of(case: &Case) -> &'static Self {
+        match case.settings().splitting {
+            Splitting::Paper => &OF_RAYS,
+            Splitting::Exact => &OF_FANS,
+        }
+    }
+}
 
 pub(crate) fn assert_in_step(case: &Case, tracer: &GpuTracer) -> (Statistics, Statistics) {
     let (film, gpu_statistics) = trace(tracer, case);
     let cpu_statistics = assert_same(case, tracer, film);
     assert_eq!(gpu_statistics.camera_rays, cpu_statistics.camera_rays);
     let segments = [cpu_statistics, gpu_statistics].map(|statistics| statistics.segments as f64);
-    assert!(relative(segments[0], segments[1]) < 1e-3, "{}: {segments:?}", case.name);
+    let apart = relative(segments[0], segments[1]);
+    assert!(apart < Bounds::of(case).segments, "{}: {segments:?}", case.name);
     let largest =
         [cpu_statistics, gpu_statistics].map(|it| f64::from(it.max_segments_per_camera_ray));
     assert!(relative(largest[0], largest[1]) < 0.05, "{}: {largest:?}", case.name);
     let ledger = gpu_statistics.ledger;
-    assert!(ledger.imbalance().abs() < 1e-5 * ledger.entered, "{}: {ledger:?}", case.name);
+    // Exact splitting closes the books but for what its parabolas miss.
+    let apart = ledger.imbalance() - cpu_statistics.ledger.imbalance();
+    assert!(apart.abs() < 1e-5 * ledger.entered, "{}: {apart} {ledger:?}", case.name);
     for (what, cpu, gpu) in [
         ("returned", cpu_statistics.ledger.returned, ledger.returned),
         ("absorbed", cpu_statistics.ledger.absorbed, ledger.absorbed),
@@ -55,7 +93,7 @@ pub(crate) fn assert_same(case: &Case, tracer: &GpuTracer, film: GpuFilm) -> Sta
     let (cpu, statistics) = cpu_film(case);
     let gpu = tracer.read(film).expect("the film is read");
     assert_eq!((gpu.size(), gpu.passes()), (cpu.size(), cpu.passes()));
-    if let Err(fault) = compare(&cpu, &gpu) {
+    if let Err(fault) = compare(case, &cpu, &gpu) {
         let path = write_side_by_side(case, &cpu, &gpu);
         panic!("{}: {fault}; see {}: CPU, GPU, difference", case.name, path.display());
     }
@@ -65,17 +103,20 @@ pub(crate) fn assert_same(case: &Case, tracer: &GpuTracer, film: GpuFilm) -> Sta
 
 /// The means of the counts agree as those of the films do, and the counts of nearly all pixels.
 fn assert_same_counts(case: &Case, cpu: &Film, gpu: &Film) {
-    for (i, name) in ["rays", "depth", "pruned"].into_iter().enumerate() {
+    let bounds = Bounds::of(case);
+    let least = [("rays", 0.0), ("depth", 0.0), ("pruned", bounds.least_pruned)];
+    for (i, (name, least)) in least.into_iter().enumerate() {
         let [on_cpu, on_gpu] = [cpu, gpu].map(|film| {
             let counts: &[f32] = bytemuck::cast_slice(film.counts());
             counts.iter().skip(i).step_by(Counts::LEN).map(|&count| f64::from(count))
         });
         let [cpu_total, gpu_total]: [f64; 2] = [on_cpu.clone().sum(), on_gpu.clone().sum()];
-        let apart = (cpu_total - gpu_total).abs() / cpu_total.max(1e-3);
-        assert!(apart < MEAN_TOLERANCE, "{}: {name} {cpu_total} {gpu_total}", case.name);
-        let different = on_cpu.zip(on_gpu).filter(|(cpu, gpu)| (cpu - gpu).abs() > 1e-3 * cpu);
-        let share = different.count() as f64 / cpu.counts().len() as f64;
-        assert!(share < 0.05, "{}: {name} of {share} of the pixels", case.name);
+        let pixels = cpu.counts().len() as f64;
+        let apart = (cpu_total - gpu_total).abs() / cpu_total.max(1e-3 + least * pixels);
+        assert!(apart < bounds.segments, "{}: {name} {cpu_total} {gpu_total}", case.name);
+        let is_different = |(cpu, gpu): &(f64, f64)| (cpu - gpu).abs() > 1e-3 * cpu.max(least);
+        let share = on_cpu.zip(on_gpu).filter(is_different).count() as f64 / pixels;
+        assert!(share < bounds.counted, "{}: {name} of {share} of the pixels", case.name);
     }
 }
 
@@ -84,7 +125,7 @@ fn exceeds(difference: f64, threshold: f64) -> bool {
     difference.is_nan() || difference > threshold
 }
 
-pub(crate) fn compare(cpu: &Film, gpu: &Film) -> Result<(), String> {
+pub(crate) fn compare(case: &Case, cpu: &Film, gpu: &Film) -> Result<(), String> {
     let bins = cpu.bins().count();
     let mean = relative(total(cpu), total(gpu));
     if exceeds(mean, MEAN_TOLERANCE) {
@@ -109,7 +150,7 @@ pub(crate) fn compare(cpu: &Film, gpu: &Film) -> Result<(), String> {
             apart.sum::<f64>() / light.max(dark)
         })
         .collect();
-    for (threshold, most) in HISTOGRAM {
+    for (threshold, most) in Bounds::of(case).histogram {
         let count =
             differences.iter().filter(|&&difference| exceeds(difference, threshold)).count();
         let share = count as f64 / differences.len() as f64;
