@@ -17,7 +17,7 @@ pub const FAN_STACK_LEN: usize = 128;
 pub const FIRST_GRACE: f32 = 10.0;
 
 /// Part of a fan that is supposed to be left, at least, whatever its path has absorbed.
-pub const LEAST_KEPT: f32 = 0.05;
+pub const LEAST_KEPT: f32 = 1e-3;
 
 impl RayStack<Fan> {
     /// An empty stack of fans.
