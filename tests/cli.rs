@@ -287,7 +287,7 @@ fn a_render_writes_the_picture_and_its_statistics() {
         .map(|part| stats["ledger"][part].as_f64().unwrap())
         .sum();
     assert!(entered > 0.0);
-    assert!((accounted - entered).abs() <= 1e-4 * entered, "{accounted} of {entered}");
+    assert!((accounted - entered).abs() <= 1e-5 * entered, "{accounted} of {entered}");
 }
 
 #[test]

@@ -160,7 +160,8 @@ fn the_books_of_all_pixels_are_those_of_the_picture() {
             assert!(within(ledger.cut_off, ended(|end| matches!(end, RayEnd::CutOff { .. }))));
             assert!(within(ledger.lost, ended(|end| matches!(end, RayEnd::Lost))));
             assert!(within(ledger.returned, ended(is_returned)));
-            assert!(within(ledger.absorbed, tree.rays.iter().map(|ray| ray.energy_absorbed).sum()));
+            let absorbed = tree.rays.iter().map(|ray| ray.energy_absorbed).sum();
+            assert!(within(ledger.absorbed, absorbed), "{} {absorbed}", ledger.absorbed);
         }
         let accounts = |ledger: &Ledger| {
             let Ledger { entered, returned, absorbed, pruned, cut_off, lost } = *ledger;

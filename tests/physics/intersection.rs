@@ -109,7 +109,7 @@ fn a_mesh_renders_as_its_solid_by(trace: &TraceSettings) {
 fn no_interior_ray_is_lost_in_a_mesh() {
     let mut furnace = furnace();
     furnace.objects = vec![meshed(Transform::default())];
-    for (settings, tolerance) in [(paper(), 1e-5), (TraceSettings::default(), 1e-4)] {
+    for (settings, tolerance) in [(paper(), 1e-5), (TraceSettings::default(), 1e-5)] {
         let request = request(furnace.clone(), close_camera(7.0), [128, 128], settings);
         let ledger = render(&request, 0).statistics.ledger;
         assert!(ledger.lost / ledger.entered < 1e-6, "{ledger:?}");

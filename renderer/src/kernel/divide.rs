@@ -26,7 +26,7 @@ use crate::spectrum::LAMBDA_MIN_NM;
 pub const NARROW: f32 = 1e-6;
 
 /// By how much, in radians, directions between the nodes may be off before a refracted fan is divided.
-pub const DIRECTION_TOLERANCE: f32 = 2e-4;
+pub const DIRECTION_TOLERANCE: f32 = 4e-5;
 
 /// Difference of the squared cosines of refraction at the ends of a fan, over their sum, from which on
 /// its middle node is drawn to the critical wavelength.

@@ -12,6 +12,13 @@ use crate::packed::{NONE, PackedScene};
 /// fit is counted as cut off.
 pub const FAN_STACK_LEN: usize = 128;
 
+/// How many times as likely those live that a camera ray makes at its first surface: they are few, and
+/// what is mirrored there would be grainy.
+pub const FIRST_GRACE: f32 = 10.0;
+
+/// Part of a fan that is supposed to be left, at least, whatever its path has absorbed.
+pub const LEAST_KEPT: f32 = 0.05;
+
 impl RayStack<Fan> {
     /// An empty stack of fans.
     pub fn of_fans() -> Self {
@@ -51,7 +58,10 @@ pub fn fate_of_fan(walk: &mut Walk<'_, Fan>, fan: &mut Fan, threshold: f32) -> F
         walk.tally.cut_off += energy;
         return fate;
     }
-    let chance = energy_bound(walk.scene, fan) / threshold;
+    let mut chance = energy_bound(walk.scene, fan) / threshold;
+    if fan.depth <= 1 {
+        chance *= FIRST_GRACE;
+    }
     if chance >= 1.0 {
         return fate;
     }
@@ -79,15 +89,17 @@ pub fn energy_bound(scene: &PackedScene, fan: &Fan) -> f32 {
     significance_bound(scene, fan) * axis_width(fan)
 }
 
-/// The largest of the fan's weights, after the least that its path may have absorbed.
+/// The largest of the fan's weights, after the least that its path may have absorbed: but no more than
+/// nearly all of it, so that chance makes none much larger than it was.
 #[inline]
 pub fn significance_bound(scene: &PackedScene, fan: &Fan) -> f32 {
     let weight = largest(fan.weight);
     if fan.absorber == NONE {
         return weight;
     }
-    let path_mm = fan.path_mm.x.min(fan.path_mm.y).min(fan.path_mm.z).max(0.0);
-    weight * (-scene.materials[fan.absorber as usize].least_absorption * path_mm).exp()
+    let path_mm = least_of(fan.path_mm).max(0.0);
+    let kept = (-scene.materials[fan.absorber as usize].least_absorption * path_mm).exp();
+    weight * kept.max(LEAST_KEPT)
 }
 
 /// The largest of the values at the nodes.

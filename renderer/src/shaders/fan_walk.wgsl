@@ -38,7 +38,10 @@ fn fate_of_fan(fan: ptr<function, Fan>, threshold: f32) -> u32 {
         walk.tally.cut_off += retire_fan(*fan);
         return fate;
     }
-    let chance = energy_bound(*fan) / threshold;
+    var chance = energy_bound(*fan) / threshold;
+    if (*fan).depth <= 1u {
+        chance *= FIRST_GRACE;
+    }
     if chance >= 1.0 {
         return fate;
     }
@@ -63,14 +66,16 @@ fn energy_bound(fan: Fan) -> f32 {
     return significance_bound(fan) * axis_width(fan);
 }
 
-// The largest of the fan's weights, after the least that its path may have absorbed.
+// The largest of the fan's weights, after the least that its path may have absorbed: but no more than
+// nearly all of it, so that chance makes none much larger than it was.
 fn significance_bound(fan: Fan) -> f32 {
     let weight = largest(fan.weight);
     if fan.absorber == NONE {
         return weight;
     }
     let path_mm = max(least_of(fan.path_mm), 0.0);
-    return weight * exp(-materials[fan.absorber].least_absorption * path_mm);
+    let kept = exp(-materials[fan.absorber].least_absorption * path_mm);
+    return weight * max(kept, LEAST_KEPT);
 }
 
 // The largest of the values at the nodes.

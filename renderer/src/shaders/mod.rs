@@ -188,6 +188,8 @@ fn kernel_constants() -> String {
         ("NARROW", F32(divide::NARROW)),
         ("DIRECTION_TOLERANCE", F32(divide::DIRECTION_TOLERANCE)),
         ("DRAWING_CONTRAST", F32(divide::DRAWING_CONTRAST)),
+        ("FIRST_GRACE", F32(fan_walk::FIRST_GRACE)),
+        ("LEAST_KEPT", F32(fan_walk::LEAST_KEPT)),
         ("LEAF_SHARE", F32(divide::LEAF_SHARE)),
         ("REST_SHARE", F32(fan_trace::REST_SHARE)),
     ])
