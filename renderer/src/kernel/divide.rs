@@ -232,7 +232,7 @@ pub fn send_refracted(walk: &mut Walk<'_, Fan>, refracted: &Fan) {
     if pays_on_entering(scene, &fan, fan.medium) {
         let energy = fan_energy(scene, &fan);
         let kept = retire_fan(walk, &fan);
-        fan.weight *= kept / energy.max(1e-12);
+        fan.weight *= (kept / energy.max(1e-12)).clamp(0.0, 1.0);
         fan.absorber = absorber_of(scene, fan.medium);
         fan.path_mm = Vec3A::ZERO;
     }

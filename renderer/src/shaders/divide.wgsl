@@ -187,7 +187,7 @@ fn send_refracted(refracted: Fan) {
     if pays_on_entering(fan, fan.medium) {
         let energy = fan_energy(fan);
         let kept = retire_fan(fan);
-        fan.weight *= kept / max(energy, 1e-12);
+        fan.weight *= clamp(kept / max(energy, 1e-12), 0.0, 1.0);
         fan.absorber = absorber_of(fan.medium);
         fan.path_mm = vec3f(0.0);
     }
