@@ -46,7 +46,7 @@ const OF_RAYS: Bounds = Bounds {
 /// of the smallest steps. And where it lets one side draw a number more than the other, all that is
 /// drawn after it in the pixel differs, points on lights included.
 const OF_FANS: Bounds = Bounds {
-    histogram: [(1e-3, 0.08), (1e-2, 0.04), (0.1, 0.015)],
+    histogram: [(1e-3, 0.12), (1e-2, 0.05), (0.1, 0.015)],
     segments: 5e-3,
     counted: 0.25,
     least_pruned: 1.0,

@@ -22,7 +22,7 @@ use crate::error::RendererError;
 use crate::film::{Film, PixelRect};
 use crate::gpu::Graphics;
 use crate::packed::PackedScene;
-use crate::settings::{NoiseGoal, TraceSettings};
+use crate::settings::{NoiseGoal, Splitting, TraceSettings};
 use crate::spectrum::Bins;
 use crate::statistics::Statistics;
 
@@ -35,12 +35,14 @@ pub struct GpuTracer {
 }
 
 impl GpuTracer {
-    /// Compiles the shaders for a device, which takes up to some seconds.
+    /// Compiles the shaders for a device, which takes up to some seconds: those of the default
+    /// splitting. Those of another one are compiled when it is first asked for.
     ///
     /// # Errors
     /// The device lacks something that tracing needs, or fails.
     pub fn new(graphics: &Graphics) -> Result<Self, RendererError> {
         let pipeline = WalkPipeline::new(graphics)?;
+        pipeline.of(graphics, Splitting::default())?;
         let developer = GpuDeveloper::new(graphics)?;
         Self::with(graphics, pipeline, developer)
     }
@@ -123,9 +125,9 @@ impl Tracer for GpuTracer {
             )));
         }
         let frame = scene.frame.seen(&view.frame, film.size(), rules(view, settings));
-        let (graphics, pipeline) = (&self.graphics, &self.pipeline);
-        let splitting = settings.splitting;
-        let order = Order { graphics, pipeline, splitting, scene, is_cancelled };
+        let (graphics, pipeline, splitting) = (&self.graphics, &self.pipeline, settings.splitting);
+        let kernel = pipeline.of(graphics, splitting)?;
+        let order = Order { graphics, pipeline, kernel, splitting, scene, is_cancelled };
         let statistics = self.dispatcher().trace(order, film, frame, passes)?;
         film.complete_passes(passes);
         Ok(statistics)

@@ -1,5 +1,7 @@
 //! The compiled kernel, and what a device must have to run it.
 
+use std::sync::{Arc, OnceLock};
+
 use wgpu::{
     BindGroupLayout, BindGroupLayoutEntry, BindingType, BufferBindingType, ComputePipeline,
     PipelineLayout, ShaderStages,
@@ -22,25 +24,26 @@ pub(super) const SCENE_BUFFERS: u32 = 10;
 /// The frame, the stack and the radiance; the film, the walkers and the progress.
 const WORK_BUFFERS: u32 = 6;
 
-/// The kernel compiled for a device, with the layouts of its three groups of bindings. Cloning
-/// shares it.
+/// The kernel compiled for a device, for each splitting when it is first asked for, with the layouts
+/// of its three groups of bindings. Cloning shares it.
 #[derive(Clone, Debug)]
 pub(super) struct WalkPipeline {
     pub(super) scene_layout: BindGroupLayout,
     pub(super) walk_layout: BindGroupLayout,
     pub(super) film_layout: BindGroupLayout,
-    rays: ComputePipeline,
-    fans: ComputePipeline,
+    layout: PipelineLayout,
+    rays: Arc<OnceLock<ComputePipeline>>,
+    fans: Arc<OnceLock<ComputePipeline>>,
 }
 
 impl WalkPipeline {
-    /// Compiles the kernel.
+    /// Compiles nothing yet.
     ///
     /// # Errors
-    /// The device lacks something that the kernel needs, refuses it, or fails.
+    /// The device lacks something that the kernel needs, or fails.
     pub(super) fn new(graphics: &Graphics) -> Result<Self, RendererError> {
         check(graphics)?;
-        graphics.guard("compile the tracer", |device| {
+        graphics.guard("make ready to trace", |device| {
             let scene_layout = layout(device, "scene", &[READ; SCENE_BUFFERS as usize]);
             let walk_layout = layout(device, "walk", &[READ, WRITE, WRITE]);
             let film_layout = layout(device, "film", &[WRITE, WRITE, WRITE]);
@@ -49,33 +52,45 @@ impl WalkPipeline {
                 bind_group_layouts: &[Some(&scene_layout), Some(&walk_layout), Some(&film_layout)],
                 ..Default::default()
             });
-            let rays = compile(device, &layout, "walkers with rays", RAY_WALKERS);
-            let fans = compile(device, &layout, "walkers with fans", FAN_WALKERS);
-            Self { scene_layout, walk_layout, film_layout, rays, fans }
+            let [rays, fans] = Default::default();
+            Self { scene_layout, walk_layout, film_layout, layout, rays, fans }
         })
     }
 
-    /// What follows rays divided like this.
-    pub(super) fn of(&self, splitting: Splitting) -> &ComputePipeline {
-        match splitting {
-            Splitting::Paper => &self.rays,
-            Splitting::Exact => &self.fans,
+    /// What follows rays divided like this; the first time it is compiled.
+    ///
+    /// # Errors
+    /// The device refuses the kernel, or fails.
+    pub(super) fn of(
+        &self,
+        graphics: &Graphics,
+        splitting: Splitting,
+    ) -> Result<&ComputePipeline, RendererError> {
+        let (compiled, walkers) = match splitting {
+            Splitting::Paper => (&self.rays, RAY_WALKERS),
+            Splitting::Exact => (&self.fans, FAN_WALKERS),
+        };
+        if let Some(pipeline) = compiled.get() {
+            return Ok(pipeline);
         }
+        // Not within the lock: two that ask at once rather compile it twice.
+        let pipeline = graphics
+            .guard("compile the tracer", |device| compile(device, &self.layout, walkers))?;
+        Ok(compiled.get_or_init(|| pipeline))
     }
 }
 
 fn compile(
     device: &wgpu::Device,
     layout: &PipelineLayout,
-    label: &str,
     walkers: &[ShaderModule],
 ) -> ComputePipeline {
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: Some(label),
+        label: Some("walkers"),
         source: wgpu::ShaderSource::Wgsl(source(walkers).into()),
     });
     device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-        label: Some(label),
+        label: Some("walkers"),
         layout: Some(layout),
         module: &module,
         entry_point: Some("walk_items"),

@@ -5,7 +5,7 @@ use std::sync::{Arc, Weak};
 use std::time::Instant;
 
 use bytemuck::bytes_of;
-use wgpu::{BindGroup, CommandEncoder};
+use wgpu::{BindGroup, CommandEncoder, ComputePipeline};
 
 use super::film::GpuFilm;
 use super::pace::{Pace, Ration};
@@ -29,6 +29,7 @@ const IN_FLIGHT: usize = 2;
 pub(super) struct Order<'a> {
     pub(super) graphics: &'a Graphics,
     pub(super) pipeline: &'a WalkPipeline,
+    pub(super) kernel: &'a ComputePipeline,
     pub(super) splitting: Splitting,
     pub(super) scene: &'a GpuScene,
     pub(super) is_cancelled: &'a (dyn Fn() -> bool + Sync),
@@ -192,7 +193,7 @@ impl Dispatcher {
             }
             order.graphics.queue().write_buffer(self.walkers.frame(), 0, bytes_of(&frame));
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
-            pass.set_pipeline(order.pipeline.of(order.splitting));
+            pass.set_pipeline(order.kernel);
             pass.set_bind_group(0, &order.scene.group, &[]);
             pass.set_bind_group(1, self.walkers.walk_group(), &[]);
             pass.set_bind_group(2, film_group, &[]);
@@ -255,8 +256,9 @@ mod tests {
         let mut dispatcher = Dispatcher::new(walkers, true);
         let (pipeline, scene) = (&pipeline, &scene);
         let splitting = Splitting::Paper;
-        let order =
-            Order { graphics: &graphics, pipeline, splitting, scene, is_cancelled: &|| false };
+        let kernel = pipeline.of(&graphics, splitting).unwrap();
+        let (graphics, is_cancelled) = (&graphics, &|| false);
+        let order = Order { graphics, pipeline, kernel, splitting, scene, is_cancelled };
         // Four items are all there is to do.
         let frame = Frame { width: 2, height: 2, pixel_count: 4, item_count: 4, ..Frame::zeroed() };
         let clear = Walkers::forget_all;
