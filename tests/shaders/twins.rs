@@ -22,7 +22,7 @@ const RUST_ONLY: &[Singles] = &[
     ),
     (
         "band",
-        &["of", "of_bins", "whole_bins"],
+        &["weights_of_bins", "whole_bins"],
         "the processor sums up many bins at a time, a shader one after the other",
     ),
     ("axis", &["all_axis_moments"], "the same"),

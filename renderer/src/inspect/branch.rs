@@ -15,8 +15,8 @@ pub(super) trait Branch: Copy {
     /// A stack for a walk.
     fn stack() -> RayStack<Self>;
 
-    /// What the walk of a camera ray begins with.
-    fn of_camera_ray(camera_ray: &Ray) -> Self;
+    /// What the walk of a camera ray begins with; `seed` is the pixel's own random word.
+    fn of_camera_ray(camera_ray: &Ray, seed: u32) -> Self;
 
     /// Sends it on in a walk as the picture's walk does. From then on it carries what it carries where
     /// it goes on.

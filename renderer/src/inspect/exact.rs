@@ -31,8 +31,8 @@ impl Branch for Fan {
         RayStack::of_fans()
     }
 
-    fn of_camera_ray(camera_ray: &Ray) -> Self {
-        white_fan(camera_ray.origin, camera_ray.direction)
+    fn of_camera_ray(camera_ray: &Ray, seed: u32) -> Self {
+        white_fan(camera_ray.origin, camera_ray.direction, seed)
     }
 
     /// As `send_fan`, and with what is refracted as `send_refracted`.

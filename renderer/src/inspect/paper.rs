@@ -16,7 +16,7 @@ impl Branch for Ray {
         RayStack::new()
     }
 
-    fn of_camera_ray(camera_ray: &Ray) -> Self {
+    fn of_camera_ray(camera_ray: &Ray, _: u32) -> Self {
         *camera_ray
     }
 

@@ -47,7 +47,7 @@ fn trace_branches<B: Branch>(
     let mut walk = Walk::new(packed, &rules, *pass_index, seed, &mut stack, &mut radiance);
     let mut recorder = Recorder::new(packed, &rules, Names::new(scene)?, max_rays);
     let camera_ray = camera_ray(&view.frame, *size, *x, *y, *pass_index);
-    recorder.record(&mut walk, &B::of_camera_ray(&camera_ray), is_cancelled)?;
+    recorder.record(&mut walk, &B::of_camera_ray(&camera_ray, seed), is_cancelled)?;
     let tally = walk.tally;
     let rays = depth_first(recorder.rays, &recorder.wholes);
     Ok(RayTree {

@@ -37,20 +37,20 @@ pub fn axis_position_of(scene: &PackedScene, lambda_nm: f32) -> f32 {
     table_at(scene, scene.axis + AXIS_LEN as u32, INDEX_TABLE_LEN, place)
 }
 
-/// The means over a bin's wavelengths of their position on the axis and of its square.
+/// The mean over a bin's wavelengths of their position on the axis, and its variance.
 #[inline]
 pub fn axis_moments(scene: &PackedScene, bin: u32) -> [f32; 2] {
     let first = scene.axis as usize + AXIS_LEN + INDEX_TABLE_LEN + bin as usize;
     [scene.spectra[first], scene.spectra[first + scene.bins.count()]]
 }
 
-/// The moments of all bins: the means, and those of the squares.
+/// The moments of all bins: the means and the variances.
 #[inline]
 pub fn all_axis_moments(scene: &PackedScene) -> [&[f32]; 2] {
     let first = scene.axis as usize + AXIS_LEN + INDEX_TABLE_LEN;
     let count = scene.bins.count();
-    let (means, squares) = scene.spectra[first..first + 2 * count].split_at(count);
-    [means, squares]
+    let (means, variances) = scene.spectra[first..first + 2 * count].split_at(count);
+    [means, variances]
 }
 
 /// Indices of refraction of a medium at the nodes, which lie at these positions on the axis; 1 for

@@ -65,11 +65,11 @@ pub fn band_of(scene: &PackedScene, fan: &Fan, low: f32, high: f32) -> Band {
 pub fn bin_part(scene: &PackedScene, band: &Band, bin: u32) -> BinPart {
     let overlap = bin_overlap(&band.range, bin);
     if overlap >= 1.0 && band.axis.a.abs() <= STRAIGHT * band.axis.b {
-        let [mean, mean_square] = axis_moments(scene, bin);
+        let [mean, variance] = axis_moments(scene, bin);
         let per_position = 0.5 / band.axis.b;
         let position = (mean - band.axis.c) * per_position;
-        let variance = (mean_square - mean * mean).max(0.0) * per_position * per_position;
-        return BinPart { overlap, position, position_squared: position * position + variance };
+        let position_squared = position * position + variance * per_position * per_position;
+        return BinPart { overlap, position, position_squared };
     }
     // Gauss's rule with two points over the positions that are covered, weighed by the wavelengths
     // that fall to each.
@@ -128,39 +128,22 @@ pub fn fan_transmittance(
     (-scene.spectrum_value(row, bin) * path_mm).exp()
 }
 
-/// The weight of a fan along the dispersion axis: what it is per power of the position there.
-struct AxisWeight {
-    constant: f32,
-    linear: f32,
-    square: f32,
-}
-
-impl AxisWeight {
-    /// Of a band whose positions go with those on the axis.
-    #[inline]
-    fn of(band: &Band) -> Self {
-        let per_axis = 0.5 / band.axis.b;
-        let at_zero = -band.axis.c * per_axis;
-        let Parabola { a, b, c } = band.weight;
-        Self {
-            constant: (a * at_zero + 2.0 * b) * at_zero + c,
-            linear: 2.0 * per_axis * (a * at_zero + b),
-            square: a * per_axis * per_axis,
-        }
-    }
-
-    /// The mean weights of bins, of which `means` and `squares` are the moments.
-    #[inline]
-    fn of_bins<'a>(
-        &'a self,
-        means: &'a [f32],
-        squares: &'a [f32],
-    ) -> impl Iterator<Item = f32> + 'a {
-        means
-            .iter()
-            .zip(squares)
-            .map(|(mean, square)| self.constant + self.linear * mean + self.square * square)
-    }
+/// The mean weights of a fan in bins that a band of it covers whole, of which `means` and `variances`
+/// are the moments.
+#[inline]
+fn weights_of_bins<'a>(
+    band: &Band,
+    means: &'a [f32],
+    variances: &'a [f32],
+) -> impl Iterator<Item = f32> + use<'a> {
+    let Parabola { a, b, c } = band.weight;
+    let at_middle = band.axis.c;
+    let per_axis = 0.5 / band.axis.b;
+    let (slope, bend) = (2.0 * b, a * per_axis * per_axis);
+    means.iter().zip(variances).map(move |(mean, variance)| {
+        let position = (mean - at_middle) * per_axis;
+        (a * position + slope) * position + (c + bend * variance)
+    })
 }
 
 /// The bins that a band covers whole, where their light can be summed up by their moments.
@@ -199,9 +182,8 @@ pub fn deposit_band<R: Copy>(
         walk.radiance[bin as usize] += value;
     }
     if !whole.is_empty() {
-        let [means, squares] = all_axis_moments(scene);
-        let weight = AxisWeight::of(&band);
-        let weights = weight.of_bins(&means[whole.clone()], &squares[whole.clone()]);
+        let [means, variances] = all_axis_moments(scene).map(|it| &it[whole.clone()]);
+        let weights = weights_of_bins(&band, means, variances);
         let lights = &scene.spectrum_row(radiance_row)[whole.clone()];
         let radiance = &mut walk.radiance[whole];
         for ((radiance, weight), light) in radiance.iter_mut().zip(weights).zip(lights) {
@@ -223,9 +205,8 @@ pub fn fan_energy(scene: &PackedScene, fan: &Fan) -> f32 {
         }
     }
     if !whole.is_empty() {
-        let [means, squares] = all_axis_moments(scene);
-        let weight = AxisWeight::of(&band);
-        energy += weight.of_bins(&means[whole.clone()], &squares[whole]).sum::<f32>();
+        let [means, variances] = all_axis_moments(scene).map(|it| &it[whole.clone()]);
+        energy += weights_of_bins(&band, means, variances).sum::<f32>();
     }
     energy / scene.bins.count() as f32
 }

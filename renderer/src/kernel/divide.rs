@@ -5,7 +5,8 @@ use glam::Vec3A;
 use crate::kernel::axis::{axis_position_of, indices_at, wavelength_at};
 use crate::kernel::band::{fan_energy, retire_fan};
 use crate::kernel::fan::{
-    Fan, axis_position_in, axis_width, fan_through, part_of_fan, position_of, segment_count,
+    Fan, NEXT_PART, axis_position_in, axis_width, fan_through, part_of_fan, position_of,
+    seed_of_way, segment_count,
 };
 use crate::kernel::fan_lights::end_at_lights;
 use crate::kernel::fan_walk::{fate_of_fan, is_worth_dividing, largest, least_of, send_fan};
@@ -65,11 +66,13 @@ pub fn divide_fan(walk: &mut Walk<'_, Fan>, fan: &Fan, ray: &Ray, hit: &Hit) {
     let cos_t_squared = parabola_through(crossing.cos_t_squared);
     let [first, second] = crossings(&cos_t_squared);
     let ends = [-1.0, first, second, 1.0];
+    let mut seed = fan.seed;
     for i in 0..3 {
         if ends[i + 1] <= ends[i] {
             continue;
         }
-        let part = part_of_fan(fan, ends[i], ends[i + 1]);
+        seed = seed_of_way(seed, NEXT_PART);
+        let part = Fan { seed, ..part_of_fan(fan, ends[i], ends[i + 1]) };
         if parabola_at(&cos_t_squared, 0.5 * (ends[i] + ends[i + 1])) <= 0.0 {
             reflect_fan(walk, &part, hit, &at, Vec3A::ONE);
         } else {
@@ -110,6 +113,7 @@ pub fn reflect_fan(walk: &mut Walk<'_, Fan>, fan: &Fan, hit: &Hit, at: &Interfac
     reflected.instance = hit.instance;
     reflected.facet = hit.facet;
     reflected.depth += 1;
+    reflected.seed = seed_of_way(fan.seed, 2 * hit.facet);
     let along = dot_each(&fan.direction, at.normal);
     reflected.direction = shift_each(&fan.direction, at.normal, along.min(Vec3A::ZERO) * -2.0);
     send_fan(walk, &reflected);
@@ -120,7 +124,7 @@ pub fn reflect_fan(walk: &mut Walk<'_, Fan>, fan: &Fan, hit: &Hit, at: &Interfac
 #[inline]
 pub fn refract_fan(walk: &mut Walk<'_, Fan>, incident: &Fan, ray: &Ray, hit: &Hit, at: &Interface) {
     let scene = walk.scene;
-    let (whole, is_drawn) = drawn_to_critical(scene, incident, at);
+    let (mut whole, is_drawn) = drawn_to_critical(scene, incident, at);
     let divides_by_bins = pays_on_entering(scene, &whole, medium_beyond(ray, hit));
     let mut part = whole;
     let mut low = -1.0;
@@ -143,6 +147,7 @@ pub fn refract_fan(walk: &mut Walk<'_, Fan>, incident: &Fan, ray: &Ray, hit: &Hi
             if high >= 1.0 {
                 return;
             }
+            whole.seed = seed_of_way(whole.seed, NEXT_PART);
             // Next to the critical wavelength parts are narrow; away from it each may be twice as wide.
             let step = 2.0 * (high - low);
             low = high;
@@ -214,6 +219,7 @@ pub fn refracted_fan(
     refracted.medium = medium;
     refracted.enclosing = if medium == hit.instance { ray.medium } else { NONE };
     refracted.depth += 1;
+    refracted.seed = seed_of_way(fan.seed, 2 * hit.facet + 1);
     let next = absorber_of(scene, medium);
     if fan.absorber == NONE && next != NONE {
         refracted.absorber = next;

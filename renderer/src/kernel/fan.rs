@@ -13,7 +13,12 @@ use crate::kernel::nodes::{
 };
 use crate::kernel::parabola::{parabola_through, position_where};
 use crate::kernel::ray::Ray;
+use crate::kernel::rng::hash;
 use crate::packed::NONE;
+
+/// The way on of the next part of a fan that is divided; those of what is reflected and refracted are
+/// numbered by facets.
+pub const NEXT_PART: u32 = u32::MAX;
 
 /// Rays of an interval of wavelengths, at three of them.
 #[derive(Clone, Copy, Debug)]
@@ -40,11 +45,13 @@ pub struct Fan {
     pub depth: u32,
     /// The absorbing material that `path_mm` was run through, or [`NONE`].
     pub absorber: u32,
+    /// A random word, the same in every pass for what has come the same way.
+    pub seed: u32,
 }
 
 /// The whole spectrum along one ray, with weight 1.
 #[inline]
-pub fn white_fan(origin: Vec3, direction: Vec3) -> Fan {
+pub fn white_fan(origin: Vec3, direction: Vec3, seed: u32) -> Fan {
     Fan {
         origin: equal_nodes(origin),
         direction: equal_nodes(direction),
@@ -57,7 +64,14 @@ pub fn white_fan(origin: Vec3, direction: Vec3) -> Fan {
         enclosing: NONE,
         depth: 0,
         absorber: NONE,
+        seed,
     }
+}
+
+/// The random word of what comes of a fan that has the word `seed` on one of its ways on.
+#[inline]
+pub fn seed_of_way(seed: u32, way: u32) -> u32 {
+    hash(seed.wrapping_add(way))
 }
 
 /// Part of the dispersion axis between the ends of the fan.

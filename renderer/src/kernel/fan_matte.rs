@@ -23,7 +23,6 @@ pub fn shade_fan(walk: &mut Walk<'_, Fan>, fan: &Fan, hit: &Hit) {
     let path_mm = parabola_through(fan.path_mm);
     let count = matte_ray_count(walk, fan);
     let place = rng::wavelength_sample(walk.pass_index);
-    let seed = walk.seed;
     let step = 2.0 / count as f32;
     for i in 0..count {
         let low = i as f32 * step - 1.0;
@@ -37,7 +36,7 @@ pub fn shade_fan(walk: &mut Walk<'_, Fan>, fan: &Fan, hit: &Hit) {
         ray.significance = ((4.0 * middle + ends) * (1.0 / 6.0)).max(0.0);
         ray.absorber = fan.absorber;
         ray.path_mm = parabola_at(&path_mm, position).max(0.0);
-        walk.seed = seed;
+        walk.seed = fan.seed;
         shade_diffuse(walk, &ray, hit);
     }
     let energy = retire_fan(walk, fan);

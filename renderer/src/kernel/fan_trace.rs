@@ -3,7 +3,8 @@
 use crate::kernel::band::retire_fan;
 use crate::kernel::divide::{NARROW, divide_fan};
 use crate::kernel::fan::{
-    Fan, axis_position_in, part_of_fan, ray_in_fan, segment_count, white_fan,
+    Fan, NEXT_PART, axis_position_in, part_of_fan, ray_in_fan, seed_of_way, segment_count,
+    white_fan,
 };
 use crate::kernel::fan_lights::end_at_lights;
 use crate::kernel::fan_matte::shade_fan;
@@ -21,7 +22,7 @@ pub const REST_SHARE: f32 = 0.03;
 /// Follows `camera_ray` and all that comes of it to the end, as fans.
 #[inline]
 pub fn trace_fans(walk: &mut Walk<'_, Fan>, camera_ray: &Ray) {
-    send_fan(walk, &white_fan(camera_ray.origin, camera_ray.direction));
+    send_fan(walk, &white_fan(camera_ray.origin, camera_ray.direction, walk.seed));
     while walk.has_rays() {
         follow_fan(walk);
     }
@@ -70,9 +71,11 @@ pub fn send_rest(walk: &mut Walk<'_, Fan>, fan: &Fan, reached: [f32; 2]) -> Fan 
     if low == -1.0 && high == 1.0 {
         return *fan;
     }
+    let mut seed = fan.seed;
     for [from, to] in [[high, 1.0], [-1.0, low]] {
+        seed = seed_of_way(seed, NEXT_PART);
         if from < to {
-            send_fan(walk, &part_of_fan(fan, from, to));
+            send_fan(walk, &Fan { seed, ..part_of_fan(fan, from, to) });
         }
     }
     part_of_fan(fan, low, high)

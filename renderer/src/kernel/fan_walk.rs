@@ -22,7 +22,7 @@ pub const LEAST_KEPT: f32 = 1e-3;
 impl RayStack<Fan> {
     /// An empty stack of fans.
     pub fn of_fans() -> Self {
-        Self::of(white_fan(Vec3::ZERO, Vec3::Z), FAN_STACK_LEN)
+        Self::of(white_fan(Vec3::ZERO, Vec3::Z, 0), FAN_STACK_LEN)
     }
 }
 
@@ -67,20 +67,13 @@ pub fn fate_of_fan(walk: &mut Walk<'_, Fan>, fan: &mut Fan, threshold: f32) -> F
     }
     // Before what its path has absorbed: that is booked where those end that live.
     let energy = fan_energy(walk.scene, fan);
-    if draw_chance(walk) >= chance {
+    if rng::chance_sample(fan.seed, walk.pass_index) >= chance {
         walk.tally.pruned += energy;
         return Fate::TooWeak;
     }
     walk.tally.pruned -= energy * (1.0 / chance - 1.0);
     fan.weight /= chance;
     fate
-}
-
-/// A number in 0..1 that fills it evenly as the passes go by, shifted by a random word.
-#[inline]
-pub fn draw_chance<R: Copy>(walk: &mut Walk<'_, R>) -> f32 {
-    let seed = walk.next_seed();
-    rng::unit_float(seed.wrapping_add(walk.pass_index.wrapping_mul(rng::WAVELENGTH_STEP)))
 }
 
 /// About the energy of a fan, after the least that its path may have absorbed.

@@ -63,6 +63,14 @@ pub fn pixel_sample(seed: u32, pass_index: u32) -> [f32; 2] {
     [unit_float(x), unit_float(y)]
 }
 
+/// A number in 0..1 that fills it evenly as the passes go by, by which what has the random word `seed`
+/// lives or ends. The passes come in an order of its own, or what has come through one such choice
+/// would always meet the next alike.
+#[inline]
+pub fn chance_sample(seed: u32, pass_index: u32) -> f32 {
+    unit_float(scramble(pass_index, seed).reverse_bits())
+}
+
 /// Two numbers in 0..1 that fill a light evenly as the passes go by, shifted by the random word
 /// `seed`.
 #[inline]

@@ -42,24 +42,28 @@ impl Axis {
     }
 
     /// The axis as tracers read it: wavelengths in nm at [`AXIS_LEN`] positions, positions at every
-    /// nm, and the means over the wavelengths of each bin of the position and of its square.
+    /// nm, and over the wavelengths of each bin the mean position and its variance.
     pub(super) fn tables(&self, bins: Bins) -> Vec<f32> {
         let nanometres = self.nm_at_positions().map(|nm| (f64::from(LAMBDA_MIN_NM) + nm) as f32);
         let positions = self.position_at_nm.iter().map(|&position| position as f32);
-        let moments = [1, 2].into_iter().flat_map(|power| {
-            (0..bins.count()).map(move |bin| self.moment(bins, bin, power) as f32)
-        });
+        let moments = (0..bins.count()).map(|bin| self.moments(bins, bin));
+        let (means, variances): (Vec<_>, Vec<_>) = moments.unzip();
+        let moments = means.into_iter().chain(variances).map(|moment| moment as f32);
         nanometres.chain(positions).chain(moments).collect()
     }
 
-    /// Mean over a bin's wavelengths of a power of the position.
-    fn moment(&self, bins: Bins, bin: usize, power: i32) -> f64 {
-        let points = (0..POINTS_PER_BIN).map(|i| {
-            let part = (i as f64 + 0.5) / POINTS_PER_BIN as f64;
-            let nm = (bin as f64 + part) * f64::from(bins.width_nm());
-            interpolate(&self.position_at_nm, nm).powi(power)
-        });
-        points.sum::<f64>() / POINTS_PER_BIN as f64
+    /// Mean over a bin's wavelengths of the position, and its variance.
+    fn moments(&self, bins: Bins, bin: usize) -> (f64, f64) {
+        let mean_of = |value: &dyn Fn(f64) -> f64| {
+            let points = (0..POINTS_PER_BIN).map(|i| {
+                let part = (i as f64 + 0.5) / POINTS_PER_BIN as f64;
+                let nm = (bin as f64 + part) * f64::from(bins.width_nm());
+                value(interpolate(&self.position_at_nm, nm))
+            });
+            points.sum::<f64>() / POINTS_PER_BIN as f64
+        };
+        let mean = mean_of(&|position| position);
+        (mean, mean_of(&|position| (position - mean).powi(2)))
     }
 
     /// The indices of a table of every nm at [`AXIS_LEN`] positions.
@@ -114,7 +118,10 @@ mod tests {
     fn without_dispersion_moments_are_those_of_the_wavelength() {
         let axis = axis(|_| 1.5);
         let bins = Bins::new(7);
-        assert!((axis.moment(bins, 0, 1) - 0.5 / 7.0).abs() < 1e-9);
-        assert!((axis.moment(bins, 6, 2) - (1.0 - 1.0 / 7.0 + 1.0 / 147.0)).abs() < 1e-6);
+        for bin in 0..7 {
+            let (mean, variance) = axis.moments(bins, bin);
+            assert!((mean - (bin as f64 + 0.5) / 7.0).abs() < 1e-9, "{bin}: {mean}");
+            assert!((variance - 1.0 / (12.0 * 49.0)).abs() < 1e-6, "{bin}: {variance}");
+        }
     }
 }

@@ -29,7 +29,7 @@ fn axis_position_of(lambda_nm: f32) -> f32 {
     return table_at(frame.axis + AXIS_LEN, INDEX_TABLE_LEN, place);
 }
 
-// The means over a bin's wavelengths of their position on the axis and of its square.
+// The mean over a bin's wavelengths of their position on the axis, and its variance.
 fn axis_moments(bin: u32) -> vec2f {
     let first = frame.axis + AXIS_LEN + INDEX_TABLE_LEN + bin;
     return vec2f(spectra[first], spectra[first + frame.bin_count]);

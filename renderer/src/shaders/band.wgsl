@@ -36,8 +36,7 @@ fn bin_part(band: Band, bin: u32) -> BinPart {
         let moments = axis_moments(bin);
         let per_position = 0.5 / band.axis.b;
         let position = (moments.x - band.axis.c) * per_position;
-        let variance =
-            max(moments.y - moments.x * moments.x, 0.0) * per_position * per_position;
+        let variance = moments.y * per_position * per_position;
         return BinPart(overlap, position, position * position + variance);
     }
     // Gauss's rule with two points over the positions that are covered, weighed by the wavelengths

@@ -17,6 +17,7 @@ fn divide_fan(fan: Fan, ray: Ray, hit: Hit) {
     let divides = !is_reflected && least_of(at_nodes) <= 0.0 && is_worth_dividing(fan);
     // One loop for all cases: compilers write out each call.
     var ends = vec4f(-1.0, 1.0, 1.0, 1.0);
+    var seed = fan.seed;
     if divides {
         ends = vec4f(-1.0, crossings(cos_t_squared), 1.0);
     }
@@ -26,7 +27,9 @@ fn divide_fan(fan: Fan, ray: Ray, hit: Hit) {
         }
         var part = fan;
         if divides {
+            seed = seed_of_way(seed, NEXT_PART);
             part = part_of_fan(fan, ends[i], ends[i + 1u]);
+            part.seed = seed;
         }
         let middle = parabola_at(cos_t_squared, 0.5 * (ends[i] + ends[i + 1u]));
         if is_reflected || (divides && middle <= 0.0) {
@@ -66,6 +69,7 @@ fn reflect_fan(fan: Fan, hit: Hit, at: Interface, factor: vec3f) {
     reflected.instance = hit.instance;
     reflected.facet = hit.facet;
     reflected.depth += 1u;
+    reflected.seed = seed_of_way(fan.seed, 2u * hit.facet);
     let along = dot_each(fan.direction, at.normal);
     reflected.direction = shift_each(fan.direction, at.normal, min(along, vec3f(0.0)) * -2.0);
     send_fan(reflected);
@@ -74,7 +78,7 @@ fn reflect_fan(fan: Fan, hit: Hit, at: Interface, factor: vec3f) {
 // Sends on the refracted and the reflected part of a fan of which at least one node is refracted. It is
 // divided where its weights or its directions bend too much for three nodes.
 fn refract_fan(incident: Fan, ray: Ray, hit: Hit, at: Interface) {
-    let drawn = drawn_to_critical(incident, at);
+    var drawn = drawn_to_critical(incident, at);
     let divides_by_bins = pays_on_entering(drawn.fan, medium_beyond(ray, hit));
     var part = drawn.fan;
     var low = -1.0;
@@ -97,6 +101,7 @@ fn refract_fan(incident: Fan, ray: Ray, hit: Hit, at: Interface) {
             if high >= 1.0 {
                 return;
             }
+            drawn.fan.seed = seed_of_way(drawn.fan.seed, NEXT_PART);
             // Next to the critical wavelength parts are narrow; away from it each may be twice as wide.
             let step = 2.0 * (high - low);
             low = high;
@@ -171,6 +176,7 @@ fn refracted_fan(
     refracted.medium = medium;
     refracted.enclosing = select(NONE, ray.medium, medium == hit.instance);
     refracted.depth += 1u;
+    refracted.seed = seed_of_way(fan.seed, 2u * hit.facet + 1u);
     let next = absorber_of(medium);
     if fan.absorber == NONE && next != NONE {
         refracted.absorber = next;

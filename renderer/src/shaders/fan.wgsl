@@ -18,10 +18,11 @@ struct Fan {
     facet: u32,
     medium: u32,
     enclosing: u32,
+    seed: u32,
 }
 
 // The whole spectrum along one ray, with weight 1.
-fn white_fan(origin: vec3f, direction: vec3f) -> Fan {
+fn white_fan(origin: vec3f, direction: vec3f, seed: u32) -> Fan {
     return Fan(
         equal_nodes(origin),
         equal_nodes(direction),
@@ -34,7 +35,13 @@ fn white_fan(origin: vec3f, direction: vec3f) -> Fan {
         NONE,
         NONE,
         NONE,
+        seed,
     );
+}
+
+// The random word of what comes of a fan that has the word `seed` on one of its ways on.
+fn seed_of_way(seed: u32, way: u32) -> u32 {
+    return hash(seed + way);
 }
 
 // Part of the dispersion axis between the ends of the fan.

@@ -8,7 +8,6 @@ fn shade_fan(fan: Fan, hit: Hit) {
     let path_mm = parabola_through(fan.path_mm);
     let count = matte_ray_count(fan);
     let place = wavelength_sample(walk.pass_index);
-    let seed = walk.seed;
     let step = 2.0 / f32(count);
     for (var i = 0u; i < count; i++) {
         let low = f32(i) * step - 1.0;
@@ -22,7 +21,7 @@ fn shade_fan(fan: Fan, hit: Hit) {
         ray.significance = max((4.0 * middle + ends) * (1.0 / 6.0), 0.0);
         ray.absorber = fan.absorber;
         ray.path_mm = max(parabola_at(path_mm, position), 0.0);
-        walk.seed = seed;
+        walk.seed = fan.seed;
         shade_diffuse(ray, hit);
     }
     walk.tally.returned += retire_fan(fan);

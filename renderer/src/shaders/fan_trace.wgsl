@@ -43,9 +43,13 @@ fn send_rest(fan: Fan, reached: vec2f) -> Fan {
         return fan;
     }
     let rest = vec4f(high, 1.0, -1.0, low);
+    var seed = fan.seed;
     for (var i = 0u; i < 4u; i += 2u) {
+        seed = seed_of_way(seed, NEXT_PART);
         if rest[i] < rest[i + 1u] {
-            send_fan(part_of_fan(fan, rest[i], rest[i + 1u]));
+            var part = part_of_fan(fan, rest[i], rest[i + 1u]);
+            part.seed = seed;
+            send_fan(part);
         }
     }
     return part_of_fan(fan, low, high);

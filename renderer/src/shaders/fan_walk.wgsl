@@ -47,18 +47,13 @@ fn fate_of_fan(fan: ptr<function, Fan>, threshold: f32) -> u32 {
     }
     // Before what its path has absorbed: that is booked where those end that live.
     let energy = fan_energy(*fan);
-    if draw_chance() >= chance {
+    if chance_sample((*fan).seed, walk.pass_index) >= chance {
         walk.tally.pruned += energy;
         return FATE_TOO_WEAK;
     }
     walk.tally.pruned -= energy * (1.0 / chance - 1.0);
     (*fan).weight /= chance;
     return fate;
-}
-
-// A number in 0..1 that fills it evenly as the passes go by, shifted by a random word.
-fn draw_chance() -> f32 {
-    return unit_float(next_seed() + walk.pass_index * WAVELENGTH_STEP);
 }
 
 // About the energy of a fan, after the least that its path may have absorbed.

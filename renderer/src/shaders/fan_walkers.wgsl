@@ -2,7 +2,7 @@
 
 // Begins a walk.
 fn set_out(camera_ray: Ray) {
-    send_fan(white_fan(camera_ray.origin, camera_ray.direction));
+    send_fan(white_fan(camera_ray.origin, camera_ray.direction, walk.seed));
 }
 
 // Follows the next fan.

@@ -18,8 +18,8 @@ pub use frame::Frame;
 use crate::kernel::mesh::Sides;
 use crate::kernel::walk::Fate;
 use crate::kernel::{
-    band, divide, facet, fan_lights, fan_matte, fan_trace, fan_walk, interface, intersect, mesh,
-    ray, reach, rng, spread, walk,
+    band, divide, facet, fan, fan_lights, fan_matte, fan_trace, fan_walk, interface, intersect,
+    mesh, ray, reach, rng, spread, walk,
 };
 use crate::material::Outside;
 use crate::packed;
@@ -191,6 +191,7 @@ fn kernel_constants() -> String {
         ("FIRST_GRACE", F32(fan_walk::FIRST_GRACE)),
         ("LEAST_KEPT", F32(fan_walk::LEAST_KEPT)),
         ("LEAF_SHARE", F32(divide::LEAF_SHARE)),
+        ("NEXT_PART", U32(fan::NEXT_PART)),
         ("REST_SHARE", F32(fan_trace::REST_SHARE)),
     ])
 }

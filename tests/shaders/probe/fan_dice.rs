@@ -59,7 +59,7 @@ impl Dice {
             path_mm: self.each(0.0, 5.0),
             axis: Vec3A::new(low_end, low_end + (high_end - low_end) * drawn, high_end),
             depth: self.pick(&[0, 1, 5]),
-            ..white_fan(origin, direction)
+            ..white_fan(origin, direction, self.word())
         }
     }
 }

@@ -38,6 +38,7 @@ impl Case {
             .u32(fan.enclosing)
             .u32(fan.depth)
             .u32(fan.absorber)
+            .u32(fan.seed)
     }
 }
 
@@ -68,6 +69,7 @@ impl Take<'_> {
             enclosing: self.u32(),
             depth: self.u32(),
             absorber: self.u32(),
+            seed: self.u32(),
         }
     }
 }
@@ -96,7 +98,8 @@ impl Put {
         self.each(fan.weight);
         self.each(fan.path_mm);
         self.each(fan.axis);
-        for word in [fan.instance, fan.facet, fan.medium, fan.enclosing, fan.depth, fan.absorber] {
+        let Fan { instance, facet, medium, enclosing, depth, absorber, seed, .. } = *fan;
+        for word in [instance, facet, medium, enclosing, depth, absorber, seed] {
             self.u32(word);
         }
     }

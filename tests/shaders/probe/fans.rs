@@ -79,7 +79,7 @@ impl World {
             let [x, y] = self.size.map(|size| dice.below(size as usize) as u32);
             self.begin_fan_walk(pixel_seed(x, y), 0, |walk| {
                 let ray = camera_ray(&self.camera, self.size, x, y, dice.word());
-                send_fan(walk, &white_fan(ray.origin, ray.direction));
+                send_fan(walk, &white_fan(ray.origin, ray.direction, walk.seed));
                 for _ in 0..dice.below(12) {
                     if walk.has_rays() {
                         follow_fan(walk);

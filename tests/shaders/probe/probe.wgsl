@@ -126,6 +126,7 @@ fn take_fan() -> Fan {
     fan.enclosing = take_u32();
     fan.depth = take_u32();
     fan.absorber = take_u32();
+    fan.seed = take_u32();
     return fan;
 }
 
@@ -245,6 +246,7 @@ fn put_fan(fan: Fan) {
     put_u32(fan.enclosing);
     put_u32(fan.depth);
     put_u32(fan.absorber);
+    put_u32(fan.seed);
 }
 
 // Each case is a walker of its own.

@@ -172,7 +172,7 @@ impl World {
 
     /// The number of rows of spectra.
     pub(crate) fn rows(&self) -> usize {
-        let end = self.media()[0].min(self.scene.spectra.len() as u32);
+        let end = self.media()[0].min(self.scene.axis);
         end as usize / self.scene.bins.count()
     }
 

@@ -156,6 +156,9 @@ fn light() -> Vec<Probe> {
             },
             cases: |world| {
                 let rows = world.rows() as u32;
+                if rows == 0 {
+                    return Vec::new();
+                }
                 let mut dice = Dice::new(13);
                 let first = fans_and_parts(world, &Case::new().u32(0).u32(0)).into_iter();
                 let last = |case: Case| {

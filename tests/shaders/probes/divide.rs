@@ -25,9 +25,10 @@ fn divide() {
 /// an error of 1e-6 in the square of a cosine is one of 1e-3 in itself.
 const CRITICAL: Tolerance = Tolerance::relative(1e-4).or(1e-3);
 
-/// So it is with what comes of a fan; a few come to where rounding decides whether it is divided once
-/// more.
-const DIVISION: Tolerance = Tolerance::relative(1e-3).or(1e-3).but(0.03);
+/// So it is with what comes of a fan; some come to where rounding decides whether it is divided once
+/// more. On the processor alone 6 % of those that cross an interface change where one component of their
+/// directions is one rounding off.
+const DIVISION: Tolerance = Tolerance::relative(1e-3).or(1e-3).but(0.07);
 
 pub(super) fn table() -> Table {
     let probes = [crossings(), parts(), ends_of_media(), narrower_fans(), whole()];

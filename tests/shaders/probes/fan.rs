@@ -2,7 +2,7 @@
 
 use brilliance_renderer::kernel::fan::{
     axis_position_in, axis_width, fan_through, gathered, is_dispersed, part_of_fan, position_of,
-    ray_in_fan, segment_count, white_fan,
+    ray_in_fan, seed_of_way, segment_count, white_fan,
 };
 
 use crate::probe::{Case, EXACT, Probe, ROUNDING, Table, Tolerance, World, throw};
@@ -24,9 +24,21 @@ fn wholes() -> Vec<Probe> {
     vec![
         Probe {
             name: "white_fan",
-            wgsl: "put_fan(white_fan(take_vec3(), take_vec3()));",
-            rust: |_, take, put| put.fan(&white_fan(take.vec3(), take.vec3())),
-            cases: |_| throw(100, |dice| Case::new().vec3(dice.point(9.0)).vec3(dice.direction())),
+            wgsl: "put_fan(white_fan(take_vec3(), take_vec3(), take_u32()));",
+            rust: |_, take, put| put.fan(&white_fan(take.vec3(), take.vec3(), take.u32())),
+            cases: |_| {
+                throw(100, |dice| {
+                    let (origin, direction) = (dice.point(9.0), dice.direction());
+                    Case::new().vec3(origin).vec3(direction).u32(dice.word())
+                })
+            },
+            tolerance: EXACT,
+        },
+        Probe {
+            name: "seed_of_way",
+            wgsl: "put_u32(seed_of_way(take_u32(), take_u32()));",
+            rust: |_, take, put| put.u32(seed_of_way(take.u32(), take.u32())),
+            cases: |_| throw(100, |dice| Case::new().u32(dice.word()).u32(dice.word())),
             tolerance: EXACT,
         },
         Probe {

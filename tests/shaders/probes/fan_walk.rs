@@ -2,8 +2,8 @@
 
 use brilliance_renderer::kernel::fan::Fan;
 use brilliance_renderer::kernel::fan_walk::{
-    FAN_STACK_LEN, draw_chance, energy_bound, fate_of_fan, is_worth_dividing, largest, least_of,
-    send_fan, significance_bound,
+    FAN_STACK_LEN, energy_bound, fate_of_fan, is_worth_dividing, largest, least_of, send_fan,
+    significance_bound,
 };
 use brilliance_renderer::packed::NONE;
 use glam::Vec3A;
@@ -131,21 +131,6 @@ fn fates() -> Vec<Probe> {
             },
             // What lives carries more by one over a chance, which may be small.
             tolerance: Tolerance::relative(1e-4).or(1e-4).but(0.02),
-        },
-        Probe {
-            name: "draw_chance",
-            wgsl: "begin_walk();
-    put_f32(draw_chance());
-    put_f32(draw_chance());
-    put_fan_walk();",
-            rust: |world, take, put| {
-                world.fan_walk(take, put, |walk, _, put| {
-                    put.f32(draw_chance(walk));
-                    put.f32(draw_chance(walk));
-                });
-            },
-            cases: |_| throw(100, walk),
-            tolerance: EXACT,
         },
         Probe {
             name: "energy_bound",

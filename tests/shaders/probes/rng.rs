@@ -1,7 +1,8 @@
 //! Reproducible numbers: the films of both tracers sample the same points.
 
 use brilliance_renderer::kernel::rng::{
-    hash, light_sample, pixel_sample, scramble, sobol_second, unit_float, wavelength_sample,
+    chance_sample, hash, light_sample, pixel_sample, scramble, sobol_second, unit_float,
+    wavelength_sample,
 };
 
 use crate::probe::{Case, EXACT, Probe, Table, World, throw};
@@ -47,6 +48,13 @@ pub(super) fn table() -> Table {
                 name: "pixel_sample",
                 wgsl: "put_vec2(pixel_sample(take_u32(), take_u32()));",
                 rust: |_, take, put| put.vec2(pixel_sample(take.u32(), take.u32())),
+                cases: |_| words(2),
+                tolerance: EXACT,
+            },
+            Probe {
+                name: "chance_sample",
+                wgsl: "put_f32(chance_sample(take_u32(), take_u32()));",
+                rust: |_, take, put| put.f32(chance_sample(take.u32(), take.u32())),
                 cases: |_| words(2),
                 tolerance: EXACT,
             },
