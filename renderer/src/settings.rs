@@ -30,7 +30,7 @@ pub struct TraceSettings {
     pub significance_threshold: f32,
     /// Fans that carry less than this part of the camera ray's energy live on by chance, and then carry
     /// more, so that in the mean nothing is lost ([`Splitting::Exact`]). Fans that carry less than
-    /// [`CUT_SHARE`](Self::CUT_SHARE) times as much are not divided any more.
+    /// [`CUT_SHARE`](Self::CUT_SHARE) of that are not divided any more.
     pub roulette_threshold: f32,
     /// Interfaces a ray may meet before it is cut off: a back-up to the significance. In a diamond
     /// tilted by 35°, 32 interfaces keep 98.8 % of the light that enters it, 256 nearly all.
@@ -48,8 +48,9 @@ impl TraceSettings {
     pub const SIGNIFICANCE_THRESHOLD: RangeInclusive<f32> = 1e-6..=0.5;
     /// Allowed [`roulette_threshold`](Self::roulette_threshold).
     pub const ROULETTE_THRESHOLD: RangeInclusive<f32> = 1e-6..=0.5;
-    /// Energy below which a fan is not divided, over that below which it lives by chance.
-    pub const CUT_SHARE: f32 = 3.0;
+    /// Energy below which a fan is not divided, over that below which it lives by chance: an error that
+    /// passes don't take away, so it is small beside theirs.
+    pub const CUT_SHARE: f32 = 0.1;
     /// Allowed [`max_depth`](Self::max_depth).
     pub const MAX_DEPTH: RangeInclusive<u32> = 1..=1024;
     /// Allowed [`bins`](Self::bins).

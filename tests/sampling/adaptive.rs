@@ -7,7 +7,8 @@ use brilliance_renderer::session::RenderRequest;
 use brilliance_renderer::settings::NoiseGoal;
 use brilliance_renderer::still::{Still, StillLimits};
 
-use crate::films::{Diamond, LONG, SIZE, brightness, relative_errors, request, root_mean_square};
+use crate::films::{Diamond, LONG, SIZE, brightness, relative_errors, request};
+use crate::noise::percentile_98;
 
 const GOAL: NoiseGoal = NoiseGoal { target: 0.03, is_adaptive: true };
 
@@ -70,29 +71,32 @@ fn neighbours_of_a_glint_are_traced_on() {
     assert_eq!(samples(&film), expected);
 }
 
-/// Not much more than half the error with no more than three quarters of the ray segments.
+/// Not much more than half the error, by what the goal is about, with no more than three quarters of the
+/// ray segments.
 #[test]
 fn an_adaptive_picture_is_nearer_to_the_long_one_for_less() {
     let diamond = Diamond::new();
     let (even, even_cost, _) = diamond.trace_to(NoiseGoal::NONE, 32);
     let (adaptive, adaptive_cost, _) = diamond.trace_to(GOAL, 128);
-    let error = |film: &Film| root_mean_square(&relative_errors(film, &LONG));
+    let error = |film: &Film| percentile_98(&relative_errors(film, &LONG));
     let [cost, even_cost] = [adaptive_cost, even_cost].map(|cost| cost.segments as f64);
     assert!(cost < 0.75 * even_cost, "{cost} of {even_cost} segments");
     let [adaptive, even] = [adaptive, even].map(|film| error(&film));
     assert!(adaptive < 0.6 * even, "error of {adaptive}, of {even} without");
 }
 
-/// Pixels that stop when they look settled stop a little sooner where a glint was missed. That is
-/// far less than the noise.
+/// Pixels that stop when they look settled stop a little sooner where a glint was missed. In all that
+/// is not seen; without the brightest pixels, which hold half of the light, it is far less than the
+/// noise. Half of it is what any noise loses to the limit: 0.2 % without a goal.
 #[test]
 fn an_adaptive_picture_is_neither_brighter_nor_darker() {
     let diamond = Diamond::new();
     let (film, ..) = diamond.trace_to(GOAL, 128);
-    // The brightest pixels hold half of the light and most of the chance.
-    let light = |film: &Film| brightness(film).iter().map(|light| light.min(16.0)).sum::<f64>();
-    let ratio = light(&film) / light(&LONG);
-    assert!((ratio - 1.0).abs() < 0.001, "{ratio}");
+    for (limit, tolerance) in [(f64::INFINITY, 0.001), (16.0, 0.005)] {
+        let light = |film: &Film| brightness(film).iter().map(|it| it.min(limit)).sum::<f64>();
+        let ratio = light(&film) / light(&LONG);
+        assert!((ratio - 1.0).abs() < tolerance, "{ratio} up to {limit}");
+    }
 }
 
 fn render(request: &RenderRequest) -> Still {

@@ -23,7 +23,7 @@ pub(crate) static LONG: LazyLock<Film> = LazyLock::new(|| {
     film
 });
 
-/// Some facets of a diamond, traced with little effort.
+/// Some facets of a diamond.
 pub(crate) struct Diamond {
     tracer: CpuTracer,
     scene: PackedScene,
@@ -70,7 +70,7 @@ pub(crate) fn request(noise: NoiseGoal, pass_limit: u32) -> RenderRequest {
         camera: Camera { target, fov_y_radians: 0.12 * camera.fov_y_radians, ..camera },
         scene: Arc::new(document.scene),
         size: SIZE,
-        trace: document.trace.draft(),
+        trace: document.trace,
         pass_limit,
         noise,
         backend: Backend::Cpu,
@@ -91,8 +91,4 @@ pub(crate) fn relative_errors(film: &Film, long: &Film) -> Vec<f64> {
     let typical = (roots / found.len() as f64).powi(2);
     let pairs = found.iter().zip(&expected);
     pairs.map(|(found, expected)| (found - expected) / (found + typical)).collect()
-}
-
-pub(crate) fn root_mean_square(values: &[f64]) -> f64 {
-    (values.iter().map(|value| value * value).sum::<f64>() / values.len() as f64).sqrt()
 }

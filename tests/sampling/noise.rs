@@ -7,7 +7,7 @@ use brilliance_renderer::spectrum::Bins;
 use crate::films::{Diamond, LONG, SIZE, relative_errors};
 
 /// The 98th percentile over pixels of the error of each, or of the root mean square around it.
-fn percentile_98(errors: &[f64]) -> f64 {
+pub(crate) fn percentile_98(errors: &[f64]) -> f64 {
     let [width, height] = SIZE.map(|side| side as usize);
     let around = |x: usize, y: usize| {
         let rows = y.saturating_sub(1)..(y + 2).min(height);

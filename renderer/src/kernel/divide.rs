@@ -19,7 +19,7 @@ use crate::kernel::nodes::{
 use crate::kernel::parabola::{crossings, parabola_at, parabola_through};
 use crate::kernel::ray::{Hit, Ray};
 use crate::kernel::reach::{is_convex_body, is_single};
-use crate::kernel::walk::{Fate, Walk};
+use crate::kernel::walk::{Fate, TraceRules, Walk};
 use crate::packed::{NONE, PackedScene};
 use crate::spectrum::LAMBDA_MIN_NM;
 
@@ -29,9 +29,20 @@ pub const NARROW: f32 = 1e-6;
 /// By how much, in radians, directions between the nodes may be off before a refracted fan is divided.
 pub const DIRECTION_TOLERANCE: f32 = 4e-5;
 
+/// The same inside a body, over the energy below which nothing is divided: what is off there moves the
+/// place where the fan meets the hundredth facet.
+pub const INNER_TOLERANCE: f32 = 0.013;
+
+/// The least of that which single precision tells from nothing, in radians.
+pub const LEAST_INNER_TOLERANCE: f32 = 2e-7;
+
 /// Difference of the squared cosines of refraction at the ends of a fan, over their sum, from which on
 /// its middle node is drawn to the critical wavelength.
 pub const DRAWING_CONTRAST: f32 = 0.4;
+
+/// Energy in the wrong part, in units of the camera ray's, that is let be whatever the threshold: telling
+/// less apart fills the stack with parts next to the critical wavelength.
+pub const LEAST_MISJUDGED: f32 = 1e-6;
 
 /// Energy below which a fan lives by chance, over that of others, where it ends at the lights at once:
 /// it costs little.
@@ -138,7 +149,7 @@ pub fn refract_fan(walk: &mut Walk<'_, Fan>, incident: &Fan, ray: &Ray, hit: &Hi
         let reflectance = reflectances(&crossing);
         let refracted = refracted_fan(scene, &part, ray, hit, at, &crossing, reflectance);
         let is_rough = (is_drawn && is_misjudged(walk, at, &part, reflectance))
-            || is_bent(&refracted.direction);
+            || is_bent(&refracted.direction, direction_tolerance(walk.rules, refracted.medium));
         if is_rough && is_worth_dividing(walk.rules, &part) && axis_width(&part) > NARROW {
             high = 0.5 * (low + high);
         } else {
@@ -167,7 +178,8 @@ pub fn is_misjudged(walk: &Walk<'_, Fan>, at: &Interface, fan: &Fan, reflectance
     let between = fan_through(fan, Vec3A::new(-0.5, 0.0, 0.5));
     let judged = basis_of(Vec3A::new(-0.5, 0.0, 0.5)) * reflectance;
     let missed = (reflectances(&crossing_of(walk.scene, at, &between)) - judged).abs();
-    missed.x.max(missed.z) * largest(fan.weight) * axis_width(fan) > walk.rules.cut_threshold
+    let energy = missed.x.max(missed.z) * largest(fan.weight) * axis_width(fan);
+    energy > walk.rules.cut_threshold.max(LEAST_MISJUDGED)
 }
 
 /// The fan with its middle node so near to the critical wavelength that the cosine of refraction there
@@ -278,13 +290,22 @@ pub fn end_of_bin(scene: &PackedScene, fan: &Fan, position: f32) -> f32 {
     if end < fan.axis.z { position_of(fan, end).max(position + 1e-3) } else { 1.0 }
 }
 
+/// By how much, in radians, directions in a medium may be off between the nodes.
+#[inline]
+pub fn direction_tolerance(rules: &TraceRules, medium: u32) -> f32 {
+    if medium == NONE {
+        return DIRECTION_TOLERANCE;
+    }
+    (INNER_TOLERANCE * rules.cut_threshold).clamp(LEAST_INNER_TOLERANCE, DIRECTION_TOLERANCE)
+}
+
 /// Whether directions bend too much between the nodes for a parabola to follow them: what three
 /// nodes can't tell is about the square of their bend over their difference.
 #[inline]
-pub fn is_bent(directions: &Nodes) -> bool {
+pub fn is_bent(directions: &Nodes, tolerance: f32) -> bool {
     let (low, high) = (low_node(directions), high_node(directions));
     let bend = middle_node(directions) - (low + high) * 0.5;
     let bend_squared = bend.length_squared();
-    let limit = DIRECTION_TOLERANCE * DIRECTION_TOLERANCE * (high - low).length_squared();
+    let limit = tolerance * tolerance * (high - low).length_squared();
     bend_squared * bend_squared > limit
 }

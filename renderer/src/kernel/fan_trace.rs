@@ -17,7 +17,7 @@ use crate::packed::NONE;
 
 /// Energy of the part of a fan that meets another surface up to which it goes with the rest, over that
 /// from which on fans are divided.
-pub const REST_SHARE: f32 = 0.03;
+pub const REST_SHARE: f32 = 0.3;
 
 /// Follows `camera_ray` and all that comes of it to the end, as fans.
 #[inline]

@@ -92,7 +92,7 @@ fn refract_fan(incident: Fan, ray: Ray, hit: Hit, at: Interface) {
         let reflectance = reflectances(crossing);
         let refracted = refracted_fan(part, ray, hit, at, crossing, reflectance);
         let is_rough = (drawn.is_elsewhere && is_misjudged(at, part, reflectance))
-            || is_bent(refracted.direction);
+            || is_bent(refracted.direction, direction_tolerance(refracted.medium));
         if is_rough && is_worth_dividing(part) && axis_width(part) > NARROW {
             high = 0.5 * (low + high);
         } else {
@@ -120,8 +120,8 @@ fn is_misjudged(at: Interface, fan: Fan, reflectance: vec3f) -> bool {
     let between = fan_through(fan, vec3f(-0.5, 0.0, 0.5));
     let judged = basis_of(vec3f(-0.5, 0.0, 0.5)) * reflectance;
     let missed = abs(reflectances(crossing_of(at, between)) - judged);
-    return max(missed.x, missed.z) * largest(fan.weight) * axis_width(fan)
-        > frame.rules.cut_threshold;
+    let energy = max(missed.x, missed.z) * largest(fan.weight) * axis_width(fan);
+    return energy > max(frame.rules.cut_threshold, LEAST_MISJUDGED);
 }
 
 // A fan that may have been drawn to the critical wavelength.
@@ -230,13 +230,22 @@ fn end_of_bin(fan: Fan, position: f32) -> f32 {
     return 1.0;
 }
 
+// By how much, in radians, directions in a medium may be off between the nodes.
+fn direction_tolerance(medium: u32) -> f32 {
+    if medium == NONE {
+        return DIRECTION_TOLERANCE;
+    }
+    let tolerance = INNER_TOLERANCE * frame.rules.cut_threshold;
+    return clamp(tolerance, LEAST_INNER_TOLERANCE, DIRECTION_TOLERANCE);
+}
+
 // Whether directions bend too much between the nodes for a parabola to follow them: what three
 // nodes can't tell is about the square of their bend over their difference.
-fn is_bent(directions: Nodes) -> bool {
+fn is_bent(directions: Nodes, tolerance: f32) -> bool {
     let low = low_node(directions);
     let high = high_node(directions);
     let bend = middle_node(directions) - (low + high) * 0.5;
     let bend_squared = length_squared(bend);
-    let limit = DIRECTION_TOLERANCE * DIRECTION_TOLERANCE * length_squared(high - low);
+    let limit = tolerance * tolerance * length_squared(high - low);
     return bend_squared * bend_squared > limit;
 }

@@ -1,9 +1,9 @@
 //! What becomes of fans at interfaces.
 
 use brilliance_renderer::kernel::divide::{
-    Crossing, can_only_meet_lights, crossing_of, divide_fan, drawn_to_critical, end_of_bin,
-    is_bent, is_misjudged, pays_on_entering, reflect_fan, reflectances, refract_fan, refracted_fan,
-    send_refracted,
+    Crossing, can_only_meet_lights, crossing_of, direction_tolerance, divide_fan,
+    drawn_to_critical, end_of_bin, is_bent, is_misjudged, pays_on_entering, reflect_fan,
+    reflectances, refract_fan, refracted_fan, send_refracted,
 };
 use brilliance_renderer::kernel::fan::Fan;
 use brilliance_renderer::kernel::fork::interface_at;
@@ -67,9 +67,16 @@ fn crossings() -> Vec<Probe> {
             tolerance: CRITICAL,
         },
         Probe {
+            name: "direction_tolerance",
+            wgsl: "put_f32(direction_tolerance(take_u32()));",
+            rust: |world, take, put| put.f32(direction_tolerance(&world.rules, take.u32())),
+            cases: |_| vec![Case::new().u32(0), Case::new().u32(NONE)],
+            tolerance: EXACT,
+        },
+        Probe {
             name: "is_bent",
-            wgsl: "put_bool(is_bent(take_nodes()));",
-            rust: |_, take, put| put.bool(is_bent(&take.nodes())),
+            wgsl: "put_bool(is_bent(take_nodes(), 4e-5));",
+            rust: |_, take, put| put.bool(is_bent(&take.nodes(), 4e-5)),
             cases: |_| throw(600, |dice| Case::new().nodes(&bent_directions(dice))),
             tolerance: EXACT.but(0.005),
         },
@@ -351,7 +358,7 @@ fn angles() -> Vec<Case> {
 fn bent_directions(dice: &mut Dice) -> Nodes {
     let middle = dice.direction();
     let spread = middle.cross(dice.direction()) * dice.magnitude(1e-4, 0.1);
-    let bend = dice.point(1.0) * (2e-4 * spread.length()).sqrt() * dice.between(0.0, 2.0);
+    let bend = dice.point(1.0) * (1e-4 * spread.length()).sqrt() * dice.between(0.0, 2.0);
     let [low, high] = [bend - spread, bend + spread].map(|it| (middle + it).normalize_or_zero());
     nodes_of(low, middle, high)
 }
