@@ -51,8 +51,7 @@ fn light_is_bent_by_the_textbook_angle() {
     };
     // Only the ray that is refracted twice: images by inner reflections lie elsewhere.
     let of_paper = TraceSettings { significance_threshold: 0.3, ..paper() };
-    // A fan of 13° on three nodes has its directions off by up to 0.03°.
-    for (settings, tolerance) in [(of_paper, 0.004), (exact(), 0.035)] {
+    for (settings, tolerance) in [(of_paper, 0.004), (exact(), 0.004)] {
         let settings = TraceSettings { bins: 50, max_depth: 2, ..settings };
         let prism = object(prism(60.0, 5.0), clear(FLINT));
         let scene = scene(vec![prism], lights.clone());

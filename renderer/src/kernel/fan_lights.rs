@@ -21,8 +21,11 @@ pub const LEEWAY: f32 = 1.1;
 /// directions there are brought to length 1.
 pub const FAR_OFF_MARGIN: f32 = 1e-3;
 
-/// Halvings, at most, in search of the edge of a light.
-pub const EDGE_BISECTIONS: u32 = 12;
+/// Steps, at most, in search of the edge of a light.
+pub const EDGE_STEPS: u32 = 10;
+
+/// Step, as a position in the fan, after which the edge is found.
+pub const EDGE_FOUND: f32 = 1e-5;
 
 /// Ends a fan that meets nothing: what it sees is deposited, what it carries is booked.
 #[inline]
@@ -131,6 +134,15 @@ pub fn depth_in_cone(fan: &Fan, cone: &Cone, position: f32) -> f32 {
     cone.sin_squared_radius * direction.length_squared() - off_center.length_squared()
 }
 
+/// How fast that changes with the position.
+#[inline]
+pub fn depth_slope_in_cone(fan: &Fan, cone: &Cone, position: f32) -> f32 {
+    let direction = blend(&fan.direction, basis_at(position));
+    let slope = blend(&fan.direction, slope_basis_at(position));
+    let along = cone.sin_squared_radius * direction.dot(slope);
+    2.0 * (along - direction.cross(cone.center).dot(slope.cross(cone.center)))
+}
+
 /// The part of the fan that lies within the cone, from its nearest approach to both sides; one of no
 /// width where there is none.
 #[inline]
@@ -169,28 +181,34 @@ pub fn nearest_approach(fan: &Fan, cone: &Cone) -> f32 {
 /// The position between `inside`, which is within the cone, and `end` at which the fan leaves it.
 #[inline]
 pub fn edge_of_cone(fan: &Fan, cone: &Cone, inside: f32, end: f32) -> f32 {
-    let mut depth_outside = depth_in_cone(fan, cone, end);
+    let depth_outside = depth_in_cone(fan, cone, end);
     if depth_outside >= 0.0 {
         return end;
     }
-    let mut depth_inside = depth_in_cone(fan, cone, inside);
-    let mut inside = inside;
-    let mut outside = end;
-    for i in 0..EDGE_BISECTIONS {
-        // False position, and every third time a half, so that no end stays behind.
-        let mut part = depth_inside / (depth_inside - depth_outside);
-        if i % 3 == 2 {
-            part = 0.5;
-        }
-        let between = inside + (outside - inside) * part.clamp(0.01, 0.99);
-        let depth = depth_in_cone(fan, cone, between);
+    let mut near = inside;
+    let mut far = end;
+    // As if the depth fell from its height like a parabola; then by Newton's steps, or by halves where
+    // they lead astray.
+    let depth_inside = depth_in_cone(fan, cone, inside);
+    let part = (depth_inside / (depth_inside - depth_outside)).max(0.0).sqrt();
+    let mut position = near + (far - near) * part;
+    for _ in 0..EDGE_STEPS {
+        let depth = depth_in_cone(fan, cone, position);
         if depth >= 0.0 {
-            inside = between;
-            depth_inside = depth;
+            near = position;
         } else {
-            outside = between;
-            depth_outside = depth;
+            far = position;
+        }
+        let mut next = 0.5 * (near + far);
+        let newton = position - depth / depth_slope_in_cone(fan, cone, position);
+        if (newton - near) * (newton - far) <= 0.0 {
+            next = newton;
+        }
+        let step = (next - position).abs();
+        position = next;
+        if step < EDGE_FOUND {
+            break;
         }
     }
-    0.5 * (inside + outside)
+    position
 }

@@ -95,6 +95,14 @@ fn depth_in_cone(fan: Fan, cone: Cone, position: f32) -> f32 {
     return cone.sin_squared_radius * length_squared(direction) - length_squared(off_center);
 }
 
+// How fast that changes with the position.
+fn depth_slope_in_cone(fan: Fan, cone: Cone, position: f32) -> f32 {
+    let direction = blend(fan.direction, basis_at(position));
+    let slope = blend(fan.direction, slope_basis_at(position));
+    let along = cone.sin_squared_radius * dot(direction, slope);
+    return 2.0 * (along - dot(cross(direction, cone.center), cross(slope, cone.center)));
+}
+
 // The part of the fan that lies within the cone, from its nearest approach to both sides; one of no
 // width where there is none.
 fn part_in_cone(fan: Fan, cone: Cone) -> vec2f {
@@ -131,29 +139,37 @@ fn nearest_approach(fan: Fan, cone: Cone) -> f32 {
 }
 
 // The position between `inside`, which is within the cone, and `end` at which the fan leaves it.
-fn edge_of_cone(fan: Fan, cone: Cone, nearest: f32, end: f32) -> f32 {
-    var depth_outside = depth_in_cone(fan, cone, end);
+fn edge_of_cone(fan: Fan, cone: Cone, inside: f32, end: f32) -> f32 {
+    let depth_outside = depth_in_cone(fan, cone, end);
     if depth_outside >= 0.0 {
         return end;
     }
-    var inside = nearest;
-    var outside = end;
-    var depth_inside = depth_in_cone(fan, cone, inside);
-    for (var i = 0u; i < EDGE_BISECTIONS; i++) {
-        // False position, and every third time a half, so that no end stays behind.
-        var part = depth_inside / (depth_inside - depth_outside);
-        if i % 3u == 2u {
-            part = 0.5;
-        }
-        let between = inside + (outside - inside) * clamp(part, 0.01, 0.99);
-        let depth = depth_in_cone(fan, cone, between);
+    var near = inside;
+    var far = end;
+    // As if the depth fell from its height like a parabola; then by Newton's steps, or by halves where
+    // they lead astray.
+    let depth_inside = depth_in_cone(fan, cone, inside);
+    let part = sqrt(max(depth_inside / (depth_inside - depth_outside), 0.0));
+    var position = near + (far - near) * part;
+    for (var i = 0u; i < EDGE_STEPS; i++) {
+        let depth = depth_in_cone(fan, cone, position);
         if depth >= 0.0 {
-            inside = between;
-            depth_inside = depth;
+            near = position;
         } else {
-            outside = between;
-            depth_outside = depth;
+            far = position;
+        }
+        var next = 0.5 * (near + far);
+        let slope = depth_slope_in_cone(fan, cone, position);
+        // WGSL leaves open what comes of a division by 0.
+        if slope != 0.0 {
+            let newton = position - depth / slope;
+            next = select(next, newton, (newton - near) * (newton - far) <= 0.0);
+        }
+        let step = abs(next - position);
+        position = next;
+        if step < EDGE_FOUND {
+            break;
         }
     }
-    return 0.5 * (inside + outside);
+    return position;
 }

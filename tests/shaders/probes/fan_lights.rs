@@ -2,8 +2,8 @@
 
 use brilliance_renderer::kernel::fan::Fan;
 use brilliance_renderer::kernel::fan_lights::{
-    deposit_beside, depth_in_cone, edge_of_cone, end_at_lights, fan_light, is_fan_far_off,
-    largest_spread, nearest_approach, part_in_cone,
+    deposit_beside, depth_in_cone, depth_slope_in_cone, edge_of_cone, end_at_lights, fan_light,
+    is_fan_far_off, largest_spread, nearest_approach, part_in_cone,
 };
 use brilliance_renderer::kernel::lights::{Cone, disc_cone};
 use brilliance_renderer::kernel::nodes::{middle_node, nodes_of};
@@ -56,6 +56,20 @@ fn cones() -> Vec<Probe> {
             wgsl: "put_f32(depth_in_cone(take_fan(), take_cone(), take_f32()));",
             rust: |_, take, put| {
                 put.f32(depth_in_cone(&take.fan(), &take.cone(), take.f32()));
+            },
+            cases: |_| {
+                throw(1000, |dice| {
+                    let (fan, cone) = fan_and_cone(dice);
+                    Case::new().fan(&fan).cone(&cone).f32(dice.position())
+                })
+            },
+            tolerance: ROUNDING,
+        },
+        Probe {
+            name: "depth_slope_in_cone",
+            wgsl: "put_f32(depth_slope_in_cone(take_fan(), take_cone(), take_f32()));",
+            rust: |_, take, put| {
+                put.f32(depth_slope_in_cone(&take.fan(), &take.cone(), take.f32()));
             },
             cases: |_| {
                 throw(1000, |dice| {
