@@ -43,8 +43,8 @@ const OF_RAYS: Bounds = Bounds {
 };
 
 /// Where a fan is divided at edges that are searched for by halves, one rounding moves the place by one
-/// of the smallest steps. And where it lets one side draw a number more than the other, all that is
-/// drawn after it in the pixel differs, points on lights included.
+/// of the smallest steps. And where rounding divides a fan on one side only, what comes of its parts lives
+/// by other chances.
 const OF_FANS: Bounds = Bounds {
     histogram: [(1e-3, 0.12), (1e-2, 0.05), (0.1, 0.015)],
     segments: 5e-3,

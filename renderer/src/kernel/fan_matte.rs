@@ -49,7 +49,8 @@ pub fn shade_fan(walk: &mut Walk<'_, Fan>, fan: &Fan, hit: &Hit) {
 pub fn matte_ray_count(walk: &Walk<'_, Fan>, fan: &Fan) -> u32 {
     let scene = walk.scene;
     let width_nm = wavelength_at(scene, fan.axis.z) - wavelength_at(scene, fan.axis.x);
-    let bins = (width_nm / scene.bins.width_nm()).ceil().max(1.0);
+    // Rounding must not make one more of whole bins.
+    let bins = (width_nm / scene.bins.width_nm() - 1e-3).ceil().max(1.0);
     if is_dispersed(fan) {
         return bins as u32;
     }

@@ -77,13 +77,17 @@ impl Watched {
     /// Waits until all passes are done by the processor, or by the device.
     fn wait_for_done(&self, on_device: bool) {
         self.wait(|watched| {
-            let Progress { activity, pass_limit, tracer, .. } = watched.progress();
-            let is_on_device = matches!(tracer, Some(TracerName::Gpu { .. }));
+            let Progress { activity, pass_limit, .. } = watched.progress();
             activity == Activity::Done
                 && pass_limit == watched.pass_limit
-                && is_on_device == on_device
+                && watched.is_on_device() == on_device
         });
         assert_eq!(self.progress().passes, self.pass_limit);
+    }
+
+    /// Whether what was traced last was by the device.
+    fn is_on_device(&self) -> bool {
+        matches!(self.progress().tracer, Some(TracerName::Gpu { .. }))
     }
 
     fn serial(&self) -> u64 {

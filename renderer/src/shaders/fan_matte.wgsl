@@ -31,7 +31,8 @@ fn shade_fan(fan: Fan, hit: Hit) {
 // else as many as its weight varies.
 fn matte_ray_count(fan: Fan) -> u32 {
     let width_nm = wavelength_at(fan.axis.z) - wavelength_at(fan.axis.x);
-    let bins = max(ceil(width_nm / frame.bin_width_nm), 1.0);
+    // Rounding must not make one more of whole bins.
+    let bins = max(ceil(width_nm / frame.bin_width_nm - 1e-3), 1.0);
     if is_dispersed(fan) {
         return u32(bins);
     }

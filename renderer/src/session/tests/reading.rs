@@ -29,7 +29,8 @@ fn another_region_is_read_while_a_long_round_goes_on() {
     let endless = RenderRequest { pass_limit: 1_000_000, ..request(Backend::Gpu) };
     let mut watched = Watched::tracing_request(endless, &device);
     watched.threads.watch(Some(Region::WHOLE));
-    watched.wait(|watched| watched.reading().is_some());
+    // The processor reads it too, until the device is ready.
+    watched.wait(|watched| watched.is_on_device() && watched.reading().is_some());
     device.plan().seconds_per_pixel = Some(1e6);
     let rounds = device.count(Call::Trace);
     while device.count(Call::Trace) == rounds {
