@@ -82,11 +82,12 @@ impl Branch for Fan {
         let mut middle = ray_in_fan(self, 0.0);
         let hit = next_surface(scene, &mut middle);
         let reached = reach(walk, self, &middle, &hit);
-        let part = send_rest(walk, self, reached);
+        let mut part = *self;
+        send_rest(walk, &mut part, reached);
         let mut arrived = part;
         if hit.instance != NONE {
             let height = (middle.origin + middle.direction * hit.distance).dot(hit.normal);
-            arrived = arrive(scene, &part, &hit, height);
+            arrive(scene, &mut arrived, &hit, height);
         }
         let mut ray = ray_in_fan(&arrived, 0.0);
         let path_mm = (ray.origin - middle_node(&part.origin)).length();

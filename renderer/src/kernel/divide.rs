@@ -71,7 +71,7 @@ pub fn divide_fan(walk: &mut Walk<'_, Fan>, fan: &Fan, ray: &Ray, hit: &Hit) {
         return;
     }
     if least_of(crossing.cos_t_squared) > 0.0 || !is_worth_dividing(walk.rules, fan) {
-        refract_fan(walk, fan, ray, hit, &at);
+        refract_fan(walk, fan, &crossing, ray, hit, &at);
         return;
     }
     let cos_t_squared = parabola_through(crossing.cos_t_squared);
@@ -87,7 +87,7 @@ pub fn divide_fan(walk: &mut Walk<'_, Fan>, fan: &Fan, ray: &Ray, hit: &Hit) {
         if parabola_at(&cos_t_squared, 0.5 * (ends[i] + ends[i + 1])) <= 0.0 {
             reflect_fan(walk, &part, hit, &at, Vec3A::ONE);
         } else {
-            refract_fan(walk, &part, ray, hit, &at);
+            refract_fan(walk, &part, &crossing_of(scene, &at, &part), ray, hit, &at);
         }
     }
 }
@@ -127,25 +127,37 @@ pub fn reflect_fan(walk: &mut Walk<'_, Fan>, fan: &Fan, hit: &Hit, at: &Interfac
     reflected.seed = seed_of_way(fan.seed, 2 * hit.facet);
     let along = dot_each(&fan.direction, at.normal);
     reflected.direction = shift_each(&fan.direction, at.normal, along.min(Vec3A::ZERO) * -2.0);
-    send_fan(walk, &reflected);
+    send_fan(walk, reflected);
 }
 
 /// Sends on the refracted and the reflected part of a fan of which at least one node is refracted. It is
 /// divided where its weights or its directions bend too much for three nodes.
 #[inline]
-pub fn refract_fan(walk: &mut Walk<'_, Fan>, incident: &Fan, ray: &Ray, hit: &Hit, at: &Interface) {
+pub fn refract_fan(
+    walk: &mut Walk<'_, Fan>,
+    incident: &Fan,
+    incident_crossing: &Crossing,
+    ray: &Ray,
+    hit: &Hit,
+    at: &Interface,
+) {
     let scene = walk.scene;
-    let (mut whole, is_drawn) = drawn_to_critical(scene, incident, at);
+    let drawn = drawn_to_critical(scene, incident, incident_crossing);
+    let is_drawn = drawn.is_some();
+    let mut whole = drawn.unwrap_or(*incident);
     let divides_by_bins = pays_on_entering(scene, &whole, medium_beyond(ray, hit));
     let mut part = whole;
+    let mut crossing = *incident_crossing;
     let mut low = -1.0;
     let mut high: f32 = 1.0;
     if divides_by_bins {
         high = end_of_bin(scene, &whole, low);
         part = part_of_fan(&whole, low, high);
     }
+    if is_drawn || divides_by_bins {
+        crossing = crossing_of(scene, at, &part);
+    }
     loop {
-        let crossing = crossing_of(scene, at, &part);
         let reflectance = reflectances(&crossing);
         let refracted = refracted_fan(scene, &part, ray, hit, at, &crossing, reflectance);
         let is_rough = (is_drawn && is_misjudged(walk, at, &part, reflectance))
@@ -154,7 +166,7 @@ pub fn refract_fan(walk: &mut Walk<'_, Fan>, incident: &Fan, ray: &Ray, hit: &Hi
             high = 0.5 * (low + high);
         } else {
             reflect_fan(walk, &part, hit, at, reflectance);
-            send_refracted(walk, &refracted);
+            send_refracted(walk, refracted);
             if high >= 1.0 {
                 return;
             }
@@ -168,6 +180,7 @@ pub fn refract_fan(walk: &mut Walk<'_, Fan>, incident: &Fan, ray: &Ray, hit: &Hi
             }
         }
         part = part_of_fan(&whole, low, high);
+        crossing = crossing_of(scene, at, &part);
     }
 }
 
@@ -183,16 +196,15 @@ pub fn is_misjudged(walk: &Walk<'_, Fan>, at: &Interface, fan: &Fan, reflectance
 }
 
 /// The fan with its middle node so near to the critical wavelength that the cosine of refraction there
-/// is about the mean of those at the ends, and whether that is elsewhere than it was: the cosine is the
-/// root of what is linear along the axis, and with it go reflectance and direction.
+/// is about the mean of those at the ends, if that is elsewhere than it was: the cosine is the root of
+/// what is linear along the axis, and with it go reflectance and direction.
 #[inline]
-pub fn drawn_to_critical(scene: &PackedScene, fan: &Fan, at: &Interface) -> (Fan, bool) {
-    let cos_t_squared = crossing_of(scene, at, fan).cos_t_squared;
-    let low = cos_t_squared.x.max(0.0);
-    let high = cos_t_squared.z.max(0.0);
+pub fn drawn_to_critical(scene: &PackedScene, fan: &Fan, crossing: &Crossing) -> Option<Fan> {
+    let low = crossing.cos_t_squared.x.max(0.0);
+    let high = crossing.cos_t_squared.z.max(0.0);
     let difference = high - low;
     if difference.abs() <= DRAWING_CONTRAST * (high + low) {
-        return (*fan, false);
+        return None;
     }
     let mean = 0.5 * (low.sqrt() + high.sqrt());
     let share = (mean * mean - low) / difference;
@@ -202,10 +214,10 @@ pub fn drawn_to_critical(scene: &PackedScene, fan: &Fan, at: &Interface) -> (Fan
     let energy = fan_energy(scene, fan);
     let drawn_energy = fan_energy(scene, &drawn);
     if drawn_energy < 0.25 * energy || drawn_energy <= 0.0 {
-        return (*fan, false);
+        return None;
     }
     drawn.weight *= energy / drawn_energy;
-    (drawn, true)
+    Some(drawn)
 }
 
 /// The fan beyond the interface.
@@ -244,9 +256,8 @@ pub fn refracted_fan(
 /// over the interval, which for that is at most one bin wide. What leaves the only body of a scene is
 /// at the lights.
 #[inline]
-pub fn send_refracted(walk: &mut Walk<'_, Fan>, refracted: &Fan) {
+pub fn send_refracted(walk: &mut Walk<'_, Fan>, mut fan: Fan) {
     let scene = walk.scene;
-    let mut fan = *refracted;
     if pays_on_entering(scene, &fan, fan.medium) {
         let energy = fan_energy(scene, &fan);
         let kept = retire_fan(walk, &fan);
@@ -255,7 +266,7 @@ pub fn send_refracted(walk: &mut Walk<'_, Fan>, refracted: &Fan) {
         fan.path_mm = Vec3A::ZERO;
     }
     if walk.keeps_all || !can_only_meet_lights(scene, &fan) {
-        send_fan(walk, &fan);
+        send_fan(walk, fan);
         return;
     }
     let threshold = LEAF_SHARE * walk.rules.significance_threshold;

@@ -22,7 +22,7 @@ pub const REST_SHARE: f32 = 0.3;
 /// Follows `camera_ray` and all that comes of it to the end, as fans.
 #[inline]
 pub fn trace_fans(walk: &mut Walk<'_, Fan>, camera_ray: &Ray) {
-    send_fan(walk, &white_fan(camera_ray.origin, camera_ray.direction, walk.seed));
+    send_fan(walk, white_fan(camera_ray.origin, camera_ray.direction, walk.seed));
     while walk.has_rays() {
         follow_fan(walk);
     }
@@ -33,32 +33,32 @@ pub fn trace_fans(walk: &mut Walk<'_, Fan>, camera_ray: &Ray) {
 #[inline]
 pub fn follow_fan(walk: &mut Walk<'_, Fan>) {
     let scene = walk.scene;
-    let fan = walk.pop();
+    let mut fan = walk.pop();
     walk.tally.segments += segment_count(&fan);
     walk.tally.depth = walk.tally.depth.max(fan.depth);
     let mut middle = ray_in_fan(&fan, 0.0);
     let hit = next_surface(scene, &mut middle);
     let reached = reach(walk, &fan, &middle, &hit);
-    let part = send_rest(walk, &fan, reached);
+    send_rest(walk, &mut fan, reached);
     if is_lost(&middle, &hit) {
-        let energy = retire_fan(walk, &part);
+        let energy = retire_fan(walk, &fan);
         walk.tally.lost += energy;
     } else if hit.instance == NONE {
-        end_at_lights(walk, &part);
+        end_at_lights(walk, &fan);
     } else {
         let height = (middle.origin + middle.direction * hit.distance).dot(hit.normal);
-        let arrived = arrive(scene, &part, &hit, height);
+        arrive(scene, &mut fan, &hit, height);
         if meets_opaque(scene, &hit) {
-            shade_fan(walk, &arrived, &hit);
+            shade_fan(walk, &fan, &hit);
         } else {
-            divide_fan(walk, &arrived, &middle, &hit);
+            divide_fan(walk, &fan, &middle, &hit);
         }
     }
 }
 
-/// Sends what is outside of the reached part of the fan back to wait, and gives that part.
+/// Sends what is outside of the reached part of the fan back to wait, and leaves that part.
 #[inline]
-pub fn send_rest(walk: &mut Walk<'_, Fan>, fan: &Fan, reached: [f32; 2]) -> Fan {
+pub fn send_rest(walk: &mut Walk<'_, Fan>, fan: &mut Fan, reached: [f32; 2]) {
     let [mut low, mut high] = reached;
     let least_energy = REST_SHARE * walk.rules.cut_threshold;
     let least_width = (least_energy / largest(fan.weight).max(1e-12)).max(NARROW);
@@ -69,14 +69,14 @@ pub fn send_rest(walk: &mut Walk<'_, Fan>, fan: &Fan, reached: [f32; 2]) -> Fan 
         high = 1.0;
     }
     if low == -1.0 && high == 1.0 {
-        return *fan;
+        return;
     }
     let mut seed = fan.seed;
     for [from, to] in [[high, 1.0], [-1.0, low]] {
         seed = seed_of_way(seed, NEXT_PART);
         if from < to {
-            send_fan(walk, &Fan { seed, ..part_of_fan(fan, from, to) });
+            send_fan(walk, Fan { seed, ..part_of_fan(fan, from, to) });
         }
     }
-    part_of_fan(fan, low, high)
+    *fan = part_of_fan(fan, low, high);
 }

@@ -28,16 +28,15 @@ impl RayStack<Fan> {
 
 /// Puts a fan on the stack, or into the books where it is too weak, too deep or too much.
 #[inline]
-pub fn send_fan(walk: &mut Walk<'_, Fan>, fan: &Fan) {
+pub fn send_fan(walk: &mut Walk<'_, Fan>, mut fan: Fan) {
     if walk.keeps_all {
-        walk.keep(fan);
+        walk.keep(&fan);
         return;
     }
     let threshold = walk.rules.significance_threshold;
-    let mut sent = *fan;
-    let fate = fate_of_fan(walk, &mut sent, threshold);
+    let fate = fate_of_fan(walk, &mut fan, threshold);
     if fate == Fate::Kept {
-        walk.push(&sent);
+        walk.push(&fan);
     }
 }
 

@@ -108,24 +108,22 @@ pub fn meets_same(walk: &mut Walk<'_, Fan>, fan: &Fan, hit: &Hit, position: f32)
     found.instance == hit.instance && found.facet == hit.facet
 }
 
-/// The fan moved to the plane of the surface at `hit`, `height` from the origin along its normal. Where
+/// Moves the fan to the plane of the surface at `hit`, `height` from the origin along its normal. Where
 /// a ray of its ends does not come to the plane, which is so only in a fan that was not worth
 /// dividing, all take the middle one's place.
 #[inline]
-pub fn arrive(scene: &PackedScene, fan: &Fan, hit: &Hit, height: f32) -> Fan {
+pub fn arrive(scene: &PackedScene, fan: &mut Fan, hit: &Hit, height: f32) {
     let along = dot_each(&fan.direction, hit.normal);
     let sense = if along.y < 0.0 { -1.0 } else { 1.0 };
     let towards = along * sense;
     let gap = (Vec3A::splat(height) - dot_each(&fan.origin, hit.normal)) * sense;
     let mut distance = gap / towards.max(Vec3A::splat(1e-12));
-    let mut arrived = *fan;
     if least_of(towards) < GRAZING || least_of(distance) < -DRIFT_MM {
-        arrived = gathered(fan);
+        *fan = gathered(fan);
         distance = Vec3A::splat(distance.y);
     }
-    arrived.origin = advance_each(&arrived.origin, &arrived.direction, distance);
+    fan.origin = advance_each(&fan.origin, &fan.direction, distance);
     if runs_in_absorber(scene, fan.absorber, fan.medium) {
-        arrived.path_mm += distance;
+        fan.path_mm += distance;
     }
-    arrived
 }

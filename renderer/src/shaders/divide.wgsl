@@ -78,7 +78,7 @@ fn reflect_fan(fan: Fan, hit: Hit, at: Interface, factor: vec3f) {
 // Sends on the refracted and the reflected part of a fan of which at least one node is refracted. It is
 // divided where its weights or its directions bend too much for three nodes.
 fn refract_fan(incident: Fan, ray: Ray, hit: Hit, at: Interface) {
-    var drawn = drawn_to_critical(incident, at);
+    var drawn = drawn_to_critical(incident, crossing_of(at, incident));
     let divides_by_bins = pays_on_entering(drawn.fan, medium_beyond(ray, hit));
     var part = drawn.fan;
     var low = -1.0;
@@ -131,12 +131,11 @@ struct DrawnFan {
 }
 
 // The fan with its middle node so near to the critical wavelength that the cosine of refraction there
-// is about the mean of those at the ends, and whether that is elsewhere than it was: the cosine is the
-// root of what is linear along the axis, and with it go reflectance and direction.
-fn drawn_to_critical(fan: Fan, at: Interface) -> DrawnFan {
-    let cos_t_squared = crossing_of(at, fan).cos_t_squared;
-    let low = max(cos_t_squared.x, 0.0);
-    let high = max(cos_t_squared.z, 0.0);
+// is about the mean of those at the ends, if that is elsewhere than it was: the cosine is the root of
+// what is linear along the axis, and with it go reflectance and direction.
+fn drawn_to_critical(fan: Fan, crossing: Crossing) -> DrawnFan {
+    let low = max(crossing.cos_t_squared.x, 0.0);
+    let high = max(crossing.cos_t_squared.z, 0.0);
     let difference = high - low;
     if abs(difference) <= DRAWING_CONTRAST * (high + low) {
         return DrawnFan(fan, false);

@@ -77,23 +77,21 @@ fn meets_same(fan: Fan, hit: Hit, position: f32) -> bool {
     return found.instance == hit.instance && found.facet == hit.facet;
 }
 
-// The fan moved to the plane of the surface at `hit`, `height` from the origin along its normal. Where
+// Moves the fan to the plane of the surface at `hit`, `height` from the origin along its normal. Where
 // a ray of its ends does not come to the plane, which is so only in a fan that was not worth
 // dividing, all take the middle one's place.
-fn arrive(fan: Fan, hit: Hit, height: f32) -> Fan {
-    let along = dot_each(fan.direction, hit.normal);
+fn arrive(fan: ptr<function, Fan>, hit: Hit, height: f32) {
+    let along = dot_each((*fan).direction, hit.normal);
     let sense = select(1.0, -1.0, along.y < 0.0);
     let towards = along * sense;
-    let gap = (vec3f(height) - dot_each(fan.origin, hit.normal)) * sense;
+    let gap = (vec3f(height) - dot_each((*fan).origin, hit.normal)) * sense;
     var distance = gap / max(towards, vec3f(1e-12));
-    var arrived = fan;
     if least_of(towards) < GRAZING || least_of(distance) < -DRIFT_MM {
-        arrived = gathered(fan);
+        *fan = gathered(*fan);
         distance = vec3f(distance.y);
     }
-    arrived.origin = advance_each(arrived.origin, arrived.direction, distance);
-    if runs_in_absorber(fan.absorber, fan.medium) {
-        arrived.path_mm += distance;
+    (*fan).origin = advance_each((*fan).origin, (*fan).direction, distance);
+    if runs_in_absorber((*fan).absorber, (*fan).medium) {
+        (*fan).path_mm += distance;
     }
-    return arrived;
 }

@@ -79,7 +79,7 @@ impl World {
             let [x, y] = self.size.map(|size| dice.below(size as usize) as u32);
             self.begin_fan_walk(pixel_seed(x, y), 0, |walk| {
                 let ray = camera_ray(&self.camera, self.size, x, y, dice.word());
-                send_fan(walk, &white_fan(ray.origin, ray.direction, walk.seed));
+                send_fan(walk, white_fan(ray.origin, ray.direction, walk.seed));
                 for _ in 0..dice.below(12) {
                     if walk.has_rays() {
                         follow_fan(walk);
@@ -105,13 +105,14 @@ impl World {
 
     /// The fans that meet a surface, as far as they meet it and moved to there.
     pub(crate) fn arrivals(&self, count: usize) -> Vec<Meeting> {
-        let arrival = |Meeting { fan, ray, hit }: Meeting| {
+        let arrival = |Meeting { mut fan, ray, hit }: Meeting| {
             let height = (ray.origin + ray.direction * hit.distance).dot(hit.normal);
-            let part = self.begin_fan_walk(0, 0, |walk| {
+            self.begin_fan_walk(0, 0, |walk| {
                 let reached = reach(walk, &fan, &ray, &hit);
-                send_rest(walk, &fan, reached)
+                send_rest(walk, &mut fan, reached);
             });
-            Meeting { fan: arrive(&self.scene, &part, &hit, height), ray, hit }
+            arrive(&self.scene, &mut fan, &hit, height);
+            Meeting { fan, ray, hit }
         };
         let meetings = self.meetings(count).into_iter();
         meetings.filter(|meeting| meeting.hit.instance != NONE).map(arrival).collect()

@@ -142,7 +142,7 @@ fn parts() -> Vec<Probe> {
     put_fan_walk();",
             rust: |world, take, put| {
                 world.fan_walk(take, put, |walk, take, _| {
-                    send_refracted(walk, &take.fan());
+                    send_refracted(walk, take.fan());
                     see_lights(walk);
                 });
             },
@@ -212,15 +212,17 @@ fn narrower_fans() -> Vec<Probe> {
         Probe {
             name: "drawn_to_critical",
             wgsl: "let fan = take_fan();
-    let drawn = drawn_to_critical(fan, interface_at(take_ray(), take_hit()));
+    let crossing = crossing_of(interface_at(take_ray(), take_hit()), fan);
+    let drawn = drawn_to_critical(fan, crossing);
     put_fan(drawn.fan);
     put_bool(drawn.is_elsewhere);",
             rust: |world, take, put| {
                 let fan = take.fan();
                 let at = interface_at(&world.scene, &take.ray(), &take.hit());
-                let (drawn, is_elsewhere) = drawn_to_critical(&world.scene, &fan, &at);
-                put.fan(&drawn);
-                put.bool(is_elsewhere);
+                let crossing = crossing_of(&world.scene, &at, &fan);
+                let drawn = drawn_to_critical(&world.scene, &fan, &crossing);
+                put.fan(&drawn.unwrap_or(fan));
+                put.bool(drawn.is_some());
             },
             cases: |world| arrivals(world, &Case::new()),
             tolerance: CRITICAL.but(0.02),
@@ -257,7 +259,8 @@ fn whole() -> Vec<Probe> {
                 world.fan_walk(take, put, |walk, take, _| {
                     let (fan, ray, hit) = (take.fan(), take.ray(), take.hit());
                     let at = interface_at(walk.scene, &ray, &hit);
-                    refract_fan(walk, &fan, &ray, &hit, &at);
+                    let crossing = crossing_of(walk.scene, &at, &fan);
+                    refract_fan(walk, &fan, &crossing, &ray, &hit, &at);
                     see_lights(walk);
                 });
             },

@@ -32,7 +32,7 @@ pub(super) fn table() -> Table {
     put_fan_walk();",
                 rust: |world, take, put| {
                     world.fan_walk(take, put, |walk, take, _| {
-                        send_fan(walk, &take.fan());
+                        send_fan(walk, take.fan());
                         if walk.has_rays() {
                             follow_fan(walk);
                         }
@@ -51,12 +51,15 @@ pub(super) fn table() -> Table {
             Probe {
                 name: "send_rest",
                 wgsl: "begin_walk();
-    put_fan(send_rest(take_fan(), vec2f(take_f32(), take_f32())));
+    var fan = take_fan();
+    send_rest(&fan, vec2f(take_f32(), take_f32()));
+    put_fan(fan);
     put_fan_walk();",
                 rust: |world, take, put| {
                     world.fan_walk(take, put, |walk, take, put| {
-                        let fan = take.fan();
-                        put.fan(&send_rest(walk, &fan, take.vec2()));
+                        let mut fan = take.fan();
+                        send_rest(walk, &mut fan, take.vec2());
+                        put.fan(&fan);
                     });
                 },
                 cases: |_| {

@@ -40,12 +40,12 @@ fn stack() -> Vec<Probe> {
     put_fan_walk();",
             rust: |world, take, put| {
                 world.fan_walk(take, put, |walk, take, put| {
-                    send_fan(walk, &take.fan());
-                    send_fan(walk, &take.fan());
+                    send_fan(walk, take.fan());
+                    send_fan(walk, take.fan());
                     if walk.has_rays() {
                         put.fan(&walk.pop());
                     }
-                    send_fan(walk, &take.fan());
+                    send_fan(walk, take.fan());
                 });
             },
             cases: |world| {
@@ -72,10 +72,10 @@ fn stack() -> Vec<Probe> {
                 world.fan_walk(take, put, |walk, take, put| {
                     let fan = take.fan();
                     for _ in 0..FAN_STACK_LEN {
-                        send_fan(walk, &fan);
+                        send_fan(walk, fan);
                     }
                     put.u32(walk.waiting());
-                    send_fan(walk, &fan);
+                    send_fan(walk, fan);
                     put.u32(walk.waiting());
                     while walk.waiting() > 1 {
                         walk.pop();

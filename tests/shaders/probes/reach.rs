@@ -135,10 +135,13 @@ fn positions() -> Vec<Probe> {
 fn arrival() -> Probe {
     Probe {
         name: "arrive",
-        wgsl: "put_fan(arrive(take_fan(), take_hit(), take_f32()));",
+        wgsl: "var fan = take_fan();
+    arrive(&fan, take_hit(), take_f32());
+    put_fan(fan);",
         rust: |world, take, put| {
-            let (fan, hit) = (take.fan(), take.hit());
-            put.fan(&arrive(&world.scene, &fan, &hit, take.f32()));
+            let (mut fan, hit) = (take.fan(), take.hit());
+            arrive(&world.scene, &mut fan, &hit, take.f32());
+            put.fan(&fan);
         },
         cases: |world| {
             let meets = |meeting: &Meeting| meeting.hit.instance != NONE;
