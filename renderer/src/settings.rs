@@ -78,7 +78,7 @@ impl Default for TraceSettings {
             splitting: Splitting::Exact,
             split_count: 6.0,
             significance_threshold: 1e-3,
-            roulette_threshold: 0.03,
+            roulette_threshold: 0.003,
             max_depth: 256,
             perturb: true,
             bins: 16,

@@ -23,7 +23,7 @@ pub(crate) static LONG: LazyLock<Film> = LazyLock::new(|| {
     film
 });
 
-/// Some facets of a diamond.
+/// Some facets of a diamond, traced with a good deal of chance.
 pub(crate) struct Diamond {
     tracer: CpuTracer,
     scene: PackedScene,
@@ -70,7 +70,7 @@ pub(crate) fn request(noise: NoiseGoal, pass_limit: u32) -> RenderRequest {
         camera: Camera { target, fov_y_radians: 0.12 * camera.fov_y_radians, ..camera },
         scene: Arc::new(document.scene),
         size: SIZE,
-        trace: document.trace,
+        trace: TraceSettings { roulette_threshold: 0.03, ..document.trace },
         pass_limit,
         noise,
         backend: Backend::Cpu,
