@@ -6,8 +6,8 @@ use std::f32::consts::{FRAC_1_PI, TAU};
 use brilliance_renderer::kernel::mesh::Sides;
 use brilliance_renderer::kernel::walk::Fate;
 use brilliance_renderer::kernel::{
-    band, divide, facet, fan, fan_lights, fan_matte, fan_trace, fan_walk, interface, intersect,
-    mesh, ray, reach, rng, spread, walk,
+    band, crossing, divide, facet, fan, fan_lights, fan_matte, fan_trace, fan_walk, interface,
+    intersect, mesh, ray, reach, rng, spread, walk,
 };
 use brilliance_renderer::material::Outside;
 use brilliance_renderer::packed;
@@ -79,10 +79,10 @@ fn rust_constants() -> Vec<(&'static str, Constant)> {
         ("DIRECTION_TOLERANCE", F32(divide::DIRECTION_TOLERANCE)),
         ("INNER_TOLERANCE", F32(divide::INNER_TOLERANCE)),
         ("LEAST_INNER_TOLERANCE", F32(divide::LEAST_INNER_TOLERANCE)),
-        ("DRAWING_CONTRAST", F32(divide::DRAWING_CONTRAST)),
+        ("DRAWING_CONTRAST", F32(crossing::DRAWING_CONTRAST)),
         ("FIRST_GRACE", F32(fan_walk::FIRST_GRACE)),
         ("LEAST_KEPT", F32(fan_walk::LEAST_KEPT)),
-        ("LEAST_MISJUDGED", F32(divide::LEAST_MISJUDGED)),
+        ("LEAST_MISJUDGED", F32(crossing::LEAST_MISJUDGED)),
         ("LEAF_SHARE", F32(divide::LEAF_SHARE)),
         ("NEXT_PART", U32(fan::NEXT_PART)),
         ("REST_SHARE", F32(fan_trace::REST_SHARE)),

@@ -13,6 +13,7 @@ pub mod axis;
 pub mod band;
 pub mod camera;
 pub mod convex;
+pub mod crossing;
 pub mod deposit;
 pub mod diffuse;
 pub mod divide;

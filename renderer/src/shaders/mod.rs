@@ -18,8 +18,8 @@ pub use frame::Frame;
 use crate::kernel::mesh::Sides;
 use crate::kernel::walk::Fate;
 use crate::kernel::{
-    band, divide, facet, fan, fan_lights, fan_matte, fan_trace, fan_walk, interface, intersect,
-    mesh, ray, reach, rng, spread, walk,
+    band, crossing, divide, facet, fan, fan_lights, fan_matte, fan_trace, fan_walk, interface,
+    intersect, mesh, ray, reach, rng, spread, walk,
 };
 use crate::material::Outside;
 use crate::packed;
@@ -71,6 +71,7 @@ pub const KERNEL: &[ShaderModule] = modules![
     "reach",
     "fan_lights",
     "fan_matte",
+    "crossing",
     "divide",
     "fan_trace",
 ];
@@ -190,10 +191,10 @@ fn kernel_constants() -> String {
         ("DIRECTION_TOLERANCE", F32(divide::DIRECTION_TOLERANCE)),
         ("INNER_TOLERANCE", F32(divide::INNER_TOLERANCE)),
         ("LEAST_INNER_TOLERANCE", F32(divide::LEAST_INNER_TOLERANCE)),
-        ("DRAWING_CONTRAST", F32(divide::DRAWING_CONTRAST)),
+        ("DRAWING_CONTRAST", F32(crossing::DRAWING_CONTRAST)),
         ("FIRST_GRACE", F32(fan_walk::FIRST_GRACE)),
         ("LEAST_KEPT", F32(fan_walk::LEAST_KEPT)),
-        ("LEAST_MISJUDGED", F32(divide::LEAST_MISJUDGED)),
+        ("LEAST_MISJUDGED", F32(crossing::LEAST_MISJUDGED)),
         ("LEAF_SHARE", F32(divide::LEAF_SHARE)),
         ("NEXT_PART", U32(fan::NEXT_PART)),
         ("REST_SHARE", F32(fan_trace::REST_SHARE)),

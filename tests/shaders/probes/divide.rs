@@ -1,9 +1,9 @@
 //! What becomes of fans at interfaces.
 
+use brilliance_renderer::kernel::crossing::crossing_of;
 use brilliance_renderer::kernel::divide::{
-    Crossing, can_only_meet_lights, crossing_of, direction_tolerance, divide_fan,
-    drawn_to_critical, end_of_bin, is_bent, is_misjudged, pays_on_entering, reflect_fan,
-    reflectances, refract_fan, refracted_fan, send_refracted,
+    can_only_meet_lights, direction_tolerance, divide_fan, end_of_bin, is_bent, pays_on_entering,
+    reflect_fan, refract_fan, refracted_fan, send_refracted,
 };
 use brilliance_renderer::kernel::fan::Fan;
 use brilliance_renderer::kernel::fork::interface_at;
@@ -12,9 +12,7 @@ use brilliance_renderer::kernel::trace::meets_opaque;
 use brilliance_renderer::packed::NONE;
 use glam::{Vec3, Vec3A};
 
-use crate::probe::{
-    Case, Dice, EXACT, Meeting, Probe, Put, ROUNDING, Table, Tolerance, World, see_lights, throw,
-};
+use crate::probe::{Case, Dice, EXACT, Meeting, Probe, Table, Tolerance, World, see_lights, throw};
 
 #[test]
 fn divide() {
@@ -23,7 +21,7 @@ fn divide() {
 
 /// Near the critical angle refracted directions and reflectances are roots of a small difference:
 /// an error of 1e-6 in the square of a cosine is one of 1e-3 in itself.
-const CRITICAL: Tolerance = Tolerance::relative(1e-4).or(1e-3);
+pub(super) const CRITICAL: Tolerance = Tolerance::relative(1e-4).or(1e-3);
 
 /// So it is with what comes of a fan; some come to where rounding decides whether it is divided once
 /// more. On the processor alone 6 % of those that cross an interface change where one component of their
@@ -31,41 +29,15 @@ const CRITICAL: Tolerance = Tolerance::relative(1e-4).or(1e-3);
 const DIVISION: Tolerance = Tolerance::relative(1e-3).or(1e-3).but(0.07);
 
 pub(super) fn table() -> Table {
-    let probes = [crossings(), parts(), ends_of_media(), narrower_fans(), whole()];
+    let probes = [directions(), parts(), ends_of_media(), whole()];
     Table {
         worlds: vec![World::full(), World::curt(), World::single()],
         probes: probes.into_iter().flatten().collect(),
     }
 }
 
-fn crossings() -> Vec<Probe> {
+fn directions() -> Vec<Probe> {
     vec![
-        Probe {
-            name: "crossing_of",
-            wgsl: "let fan = take_fan();
-    let crossing = crossing_of(interface_at(take_ray(), take_hit()), fan);
-    put_vec3(crossing.eta);
-    put_vec3(crossing.cos_i);
-    put_vec3(crossing.cos_t_squared);",
-            rust: |world, take, put| {
-                let fan = take.fan();
-                let at = interface_at(&world.scene, &take.ray(), &take.hit());
-                put_crossing(put, &crossing_of(&world.scene, &at, &fan));
-            },
-            cases: |world| arrivals(world, &Case::new()),
-            tolerance: ROUNDING.or(1e-5),
-        },
-        Probe {
-            name: "reflectances",
-            wgsl: "put_vec3(reflectances(Crossing(take_vec3(), take_vec3(), take_vec3())));",
-            rust: |_, take, put| {
-                let (eta, cos_i) = (take.each(), take.each());
-                let cos_t_squared = take.each();
-                put.each(reflectances(&Crossing { eta, cos_i, cos_t_squared }));
-            },
-            cases: |_| angles(),
-            tolerance: CRITICAL,
-        },
         Probe {
             name: "direction_tolerance",
             wgsl: "put_f32(direction_tolerance(take_u32()));",
@@ -81,12 +53,6 @@ fn crossings() -> Vec<Probe> {
             tolerance: EXACT.but(0.005),
         },
     ]
-}
-
-fn put_crossing(put: &mut Put, crossing: &Crossing) {
-    put.each(crossing.eta);
-    put.each(crossing.cos_i);
-    put.each(crossing.cos_t_squared);
 }
 
 fn parts() -> Vec<Probe> {
@@ -187,46 +153,6 @@ fn ends_of_media() -> Vec<Probe> {
             cases: |world| fans_in_colour(world).iter().map(|fan| Case::new().fan(fan)).collect(),
             tolerance: EXACT,
         },
-    ]
-}
-
-fn narrower_fans() -> Vec<Probe> {
-    vec![
-        Probe {
-            name: "is_misjudged",
-            wgsl: "let fan = take_fan();
-    let at = interface_at(take_ray(), take_hit());
-    put_bool(is_misjudged(at, fan, reflectances(crossing_of(at, fan))));",
-            rust: |world, take, put| {
-                let fan = take.fan();
-                let at = interface_at(&world.scene, &take.ray(), &take.hit());
-                let reflectance = reflectances(&crossing_of(&world.scene, &at, &fan));
-                put.bool(
-                    world.begin_fan_walk(0, 0, |walk| is_misjudged(walk, &at, &fan, reflectance)),
-                );
-            },
-            cases: |world| arrivals(world, &Case::new()),
-            // Where rounding decides.
-            tolerance: EXACT.but(0.02),
-        },
-        Probe {
-            name: "drawn_to_critical",
-            wgsl: "let fan = take_fan();
-    let crossing = crossing_of(interface_at(take_ray(), take_hit()), fan);
-    let drawn = drawn_to_critical(fan, crossing);
-    put_fan(drawn.fan);
-    put_bool(drawn.is_elsewhere);",
-            rust: |world, take, put| {
-                let fan = take.fan();
-                let at = interface_at(&world.scene, &take.ray(), &take.hit());
-                let crossing = crossing_of(&world.scene, &at, &fan);
-                let drawn = drawn_to_critical(&world.scene, &fan, &crossing);
-                put.fan(&drawn.unwrap_or(fan));
-                put.bool(drawn.is_some());
-            },
-            cases: |world| arrivals(world, &Case::new()),
-            tolerance: CRITICAL.but(0.02),
-        },
         Probe {
             name: "end_of_bin",
             wgsl: "put_f32(end_of_bin(take_fan(), take_f32()));",
@@ -319,7 +245,7 @@ fn interfaces(world: &World) -> Vec<Meeting> {
     world.arrivals(800).into_iter().filter(is_clear).map(turned).collect()
 }
 
-fn arrivals(world: &World, start: &Case) -> Vec<Case> {
+pub(super) fn arrivals(world: &World, start: &Case) -> Vec<Case> {
     let case = |Meeting { fan, ray, hit }: Meeting| start.clone().fan(&fan).ray(&ray).hit(&hit);
     interfaces(world).into_iter().map(case).collect()
 }
@@ -342,19 +268,6 @@ fn wide_fan(dice: &mut Dice) -> Fan {
     let (low, width) = (dice.between(0.0, 0.1), dice.magnitude(1e-2, 0.9));
     let drawn = dice.pick(&[0.5, 0.3, 0.7]);
     Fan { axis: Vec3A::new(low, low + drawn * width, low + width), ..dice.fan() }
-}
-
-/// Both sides of the critical angle, normal and grazing incidence.
-fn angles() -> Vec<Case> {
-    throw(800, |dice| {
-        let eta = Vec3A::splat(dice.between(0.4, 2.5));
-        let any = dice.each(0.0, 1.0);
-        let at_critical = (1.0 - (eta.x * eta.x).recip()).max(0.0).sqrt();
-        let about = Vec3A::splat(at_critical) + dice.each(-1e-3, 1e-3);
-        let cos_i = dice.pick(&[any, any, about, Vec3A::ONE, Vec3A::ZERO, Vec3A::splat(1e-5)]);
-        let cos_t_squared = Vec3A::ONE - eta * eta * (Vec3A::ONE - cos_i * cos_i);
-        Case::new().each(eta).each(cos_i).each(cos_t_squared)
-    })
 }
 
 /// Straight and bent about as much as is allowed.

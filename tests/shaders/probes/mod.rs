@@ -5,6 +5,7 @@ mod axis;
 mod band;
 mod camera;
 mod convex;
+mod crossing;
 mod deposit;
 mod diffuse;
 mod divide;
