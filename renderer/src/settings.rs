@@ -30,7 +30,7 @@ pub struct TraceSettings {
     pub significance_threshold: f32,
     /// Fans that carry less than this part of the camera ray's energy live on by chance, and then carry
     /// more, so that in the mean nothing is lost ([`Splitting::Exact`]). Fans that carry less than
-    /// [`CUT_SHARE`](Self::CUT_SHARE) of that are not divided any more.
+    /// [`cut_share`](Self::cut_share) of that are not divided any more.
     pub roulette_threshold: f32,
     /// Interfaces a ray may meet before it is cut off: a back-up to the significance. In a diamond
     /// tilted by 35°, 32 interfaces keep 98.8 % of the light that enters it, 256 nearly all.
@@ -48,9 +48,8 @@ impl TraceSettings {
     pub const SIGNIFICANCE_THRESHOLD: RangeInclusive<f32> = 1e-6..=0.5;
     /// Allowed [`roulette_threshold`](Self::roulette_threshold).
     pub const ROULETTE_THRESHOLD: RangeInclusive<f32> = 1e-6..=0.5;
-    /// Energy below which a fan is not divided, over that below which it lives by chance: an error that
-    /// passes don't take away, so it is small beside theirs.
-    pub const CUT_SHARE: f32 = 0.1;
+    /// [`roulette_threshold`](Self::roulette_threshold) of drafts.
+    pub const DRAFT_ROULETTE: f32 = 0.2;
     /// Allowed [`max_depth`](Self::max_depth).
     pub const MAX_DEPTH: RangeInclusive<u32> = 1..=1024;
     /// Allowed [`bins`](Self::bins).
@@ -58,6 +57,13 @@ impl TraceSettings {
 }
 
 impl TraceSettings {
+    /// Energy below which a fan is not divided, over that below which it lives by chance. That makes
+    /// errors that passes don't take away, so they are small beside those of chance; but in a draft, which
+    /// is of one pass, parts that lived by chance would be specks of colour.
+    pub fn cut_share(&self) -> f32 {
+        if self.roulette_threshold < Self::DRAFT_ROULETTE { 0.1 } else { 3.0 }
+    }
+
     /// The same with less effort, for a picture that is shown for a moment while things change:
     /// about a tenth of the rays in a diamond, by the same rules.
     #[must_use]
@@ -65,7 +71,7 @@ impl TraceSettings {
         Self {
             split_count: self.split_count.min(1.0),
             significance_threshold: self.significance_threshold.max(1e-2),
-            roulette_threshold: self.roulette_threshold.max(0.2),
+            roulette_threshold: self.roulette_threshold.max(Self::DRAFT_ROULETTE),
             max_depth: self.max_depth.min(24),
             ..self.clone()
         }

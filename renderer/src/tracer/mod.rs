@@ -125,6 +125,6 @@ pub(crate) fn rules(view: &View, settings: &TraceSettings) -> TraceRules {
         },
         max_depth: settings.max_depth,
         perturb: u32::from(settings.perturb),
-        cut_threshold: TraceSettings::CUT_SHARE * settings.roulette_threshold,
+        cut_threshold: settings.cut_share() * settings.roulette_threshold,
     }
 }
