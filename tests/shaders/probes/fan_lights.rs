@@ -42,12 +42,7 @@ fn cones() -> Vec<Probe> {
             name: "is_fan_far_off",
             wgsl: "put_bool(is_fan_far_off(take_fan(), take_cone()));",
             rust: |_, take, put| put.bool(is_fan_far_off(&take.fan(), &take.cone())),
-            cases: |_| {
-                throw(1000, |dice| {
-                    let (fan, cone) = fan_and_cone(dice);
-                    Case::new().fan(&fan).cone(&cone)
-                })
-            },
+            cases: |_| throw(1000, case_of_both),
             // Where rounding decides.
             tolerance: ROUNDING.but(0.002),
         },
@@ -57,12 +52,7 @@ fn cones() -> Vec<Probe> {
             rust: |_, take, put| {
                 put.f32(depth_in_cone(&take.fan(), &take.cone(), take.f32()));
             },
-            cases: |_| {
-                throw(1000, |dice| {
-                    let (fan, cone) = fan_and_cone(dice);
-                    Case::new().fan(&fan).cone(&cone).f32(dice.position())
-                })
-            },
+            cases: |_| throw(1000, |dice| case_of_both(dice).f32(dice.position())),
             tolerance: ROUNDING,
         },
         Probe {
@@ -71,24 +61,14 @@ fn cones() -> Vec<Probe> {
             rust: |_, take, put| {
                 put.f32(depth_slope_in_cone(&take.fan(), &take.cone(), take.f32()));
             },
-            cases: |_| {
-                throw(1000, |dice| {
-                    let (fan, cone) = fan_and_cone(dice);
-                    Case::new().fan(&fan).cone(&cone).f32(dice.position())
-                })
-            },
+            cases: |_| throw(1000, |dice| case_of_both(dice).f32(dice.position())),
             tolerance: ROUNDING,
         },
         Probe {
             name: "nearest_approach",
             wgsl: "put_f32(nearest_approach(take_fan(), take_cone()));",
             rust: |_, take, put| put.f32(nearest_approach(&take.fan(), &take.cone())),
-            cases: |_| {
-                throw(1000, |dice| {
-                    let (fan, cone) = fan_and_cone(dice);
-                    Case::new().fan(&fan).cone(&cone)
-                })
-            },
+            cases: |_| throw(1000, case_of_both),
             // In a narrow fan the nearest direction is a quotient of small differences.
             tolerance: EDGE.but(0.1),
         },
@@ -101,12 +81,7 @@ fn parts() -> Vec<Probe> {
             name: "part_in_cone",
             wgsl: "put_vec2(part_in_cone(take_fan(), take_cone()));",
             rust: |_, take, put| put.vec2(part_in_cone(&take.fan(), &take.cone())),
-            cases: |_| {
-                throw(1000, |dice| {
-                    let (fan, cone) = fan_and_cone(dice);
-                    Case::new().fan(&fan).cone(&cone)
-                })
-            },
+            cases: |_| throw(1000, case_of_both),
             tolerance: EDGE,
         },
         Probe {
@@ -189,6 +164,11 @@ fn walk() -> Case {
 
 fn cone(center: Vec3, radius: f32) -> Cone {
     Cone { center, cos_radius: radius.cos(), sin_squared_radius: radius.sin().powi(2) }
+}
+
+fn case_of_both(dice: &mut Dice) -> Case {
+    let (fan, cone) = fan_and_cone(dice);
+    Case::new().fan(&fan).cone(&cone)
 }
 
 /// Fans of all widths on, across and beside the edges of cones from 0.1° to 90°.
